@@ -1,0 +1,6 @@
+include(CMakeFindDependencyMacro)
+find_dependency(fmt)
+find_dependency(Threads)
+find_dependency(PNG)
+find_dependency(OpenEXR)
+include(${CMAKE_CURRENT_LIST_DIR}/yarte-targets.cmake)

@@ -1,0 +1,33 @@
+// Files: reading whole ones, writing them so that no half-written one is ever seen, and staying in a folder.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace yarte {
+
+/// The machine would not do it (missing, no permission, disk full). what() is "FILE: reason". Exit code 3.
+class FileError : public std::runtime_error {
+public:
+    FileError(const std::filesystem::path& file, std::string_view reason);
+};
+
+/// The bytes of a regular file (or pipe). Throws FileError, also for a directory.
+std::string readFile(const std::filesystem::path& file);
+
+/// Writes `bytes` to a temporary file beside `file`, flushes it and renames it to `file`; on any failure the temporary
+/// file is removed, an existing `file` stays as it was, and FileError is thrown.
+void writeFile(const std::filesystem::path& file, std::string_view bytes);
+
+/// The folders a scene may read from: its own, and those the user allows.
+struct ReadableFolders {
+    std::vector<std::filesystem::path> folders;
+
+    /// True if `file`, with links and ".." resolved, lies in one of the folders or below.
+    bool contain(const std::filesystem::path& file) const;
+};
+
+} // namespace yarte

@@ -1,0 +1,32 @@
+#include "yarte/base/source.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace yarte {
+
+Source::Source(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+    lineStarts_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i)
+        if (text_[i] == '\n') lineStarts_.push_back(i + 1);
+}
+
+LineColumn Source::position(std::size_t offset) const {
+    const auto next = std::upper_bound(lineStarts_.begin(), lineStarts_.end(), offset);
+    return {static_cast<std::size_t>(next - lineStarts_.begin()), offset - *(next - 1) + 1};
+}
+
+std::string_view Source::line(std::size_t line) const {
+    if (line == 0 || line > lineStarts_.size()) return {};
+    const std::size_t begin = lineStarts_[line - 1];
+    std::size_t end = line < lineStarts_.size() ? lineStarts_[line] - 1 : text_.size();
+    if (end > begin && text_[end - 1] == '\r') --end;
+    return std::string_view(text_).substr(begin, end - begin);
+}
+
+SourceId Sources::add(std::string name, std::string text) {
+    sources_.emplace_back(std::move(name), std::move(text));
+    return {static_cast<std::uint32_t>(sources_.size() - 1)};
+}
+
+} // namespace yarte

@@ -1,0 +1,46 @@
+// renderTile: the pixels of a rectangle of the image. All that the engine needs to know of the tracer.
+#pragma once
+
+#include "yarte/base/colour.h"
+#include "yarte/scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace yarte {
+
+/// What rays meet: immutable, built once from a scene, shared by threads and (copy-on-write) by forked processes.
+class World;
+
+struct WorldDeleter {
+    void operator()(const World*) const;
+};
+using WorldPtr = std::unique_ptr<const World, WorldDeleter>;
+
+/// `resolution` is that of the whole image (the scene's own, or what the user asked for instead).
+WorldPtr buildWorld(const Scene&, Resolution resolution);
+
+/// Pixels [x0, x1) x [y0, y1) of the image, row 0 on top.
+struct Tile {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+    friend bool operator==(const Tile&, const Tile&) = default;
+};
+
+/// Rays traced, by kind.
+struct RayCounts {
+    std::uint64_t camera = 0, shadow = 0, reflected = 0, transmitted = 0;
+    RayCounts& operator+=(const RayCounts& c) {
+        camera += c.camera, shadow += c.shadow, reflected += c.reflected, transmitted += c.transmitted;
+        return *this;
+    }
+    friend bool operator==(const RayCounts&, const RayCounts&) = default;
+};
+
+/// Writes the tile's linear colours to `pixels`, whose rows are `stride` pixels apart, and adds to `counts`.
+/// A pixel depends on the world and its own place alone: never on the tile, the process or the thread.
+void renderTile(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
+
+} // namespace yarte
