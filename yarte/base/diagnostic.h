@@ -20,10 +20,10 @@ struct DiagnosticNote {
 
 struct Diagnostic {
     Severity severity = Severity::error;
-    std::string_view code;    ///< stable, kebab-case, e.g. "scene.radius-not-positive"; a literal
-    std::string message;      ///< one sentence, lower case, no full stop
-    Span span;                ///< where; without a valid source, `file` alone tells
-    std::string file;         ///< a file without a text to point into (missing, binary); else empty
+    std::string_view code; ///< stable, kebab-case, e.g. "scene.radius-not-positive"; a literal
+    std::string message;   ///< one sentence, lower case, no full stop
+    Span span;             ///< where; without a valid source, `file` alone tells
+    std::string file;      ///< a file without a text to point into (missing, binary); else empty
     std::vector<DiagnosticNote> notes;
 };
 

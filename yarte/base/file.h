@@ -18,8 +18,8 @@ public:
 /// The bytes of a regular file (or pipe). Throws FileError, also for a directory.
 std::string readFile(const std::filesystem::path& file);
 
-/// Writes `bytes` to a temporary file beside `file`, flushes it and renames it to `file`; on any failure the temporary
-/// file is removed, an existing `file` stays as it was, and FileError is thrown.
+/// Writes `bytes` to a temporary file beside `file`, flushes it and renames it to `file`; on any failure the
+/// temporary file is removed, an existing `file` stays as it was, and FileError is thrown.
 void writeFile(const std::filesystem::path& file, std::string_view bytes);
 
 /// The folders a scene may read from: its own, and those the user allows.

@@ -12,7 +12,8 @@ struct ImageView {
     const Colour* pixels = nullptr; ///< width*height, rows from the top, no padding
 
     const Colour& at(int x, int y) const {
-        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+        return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                      static_cast<std::size_t>(x)];
     }
 };
 

@@ -1,5 +1,5 @@
-// The rules that values of a scene must obey, one function per thing that has rules. Readers of every format call them:
-// the scene language points at the argument, the converters at a JSON pointer or a place in SDL.
+// The rules that values of a scene must obey, one function per thing that has rules. Readers of every format
+// call them: the scene language points at the argument, the converters at a JSON pointer or a place in SDL.
 #pragma once
 
 #include "yarte/scene/scene.h"
@@ -14,7 +14,8 @@ namespace yarte {
 struct Problem {
     std::string_view code; ///< as Diagnostic::code
     std::string message;
-    int argument = -1; ///< index of the scene-language argument at fault (from 0); -1: the directive as a whole
+    int argument =
+        -1; ///< index of the scene-language argument at fault (from 0); -1: the directive as a whole
     int argumentCount = 1; ///< how many arguments, from `argument` on, are meant
 };
 

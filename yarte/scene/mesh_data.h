@@ -11,7 +11,8 @@
 
 namespace yarte {
 
-/// Polygonal faces over shared vertices; outward normal by the right-hand rule. With `normals` every face is a triangle.
+/// Polygonal faces over shared vertices; outward normal by the right-hand rule. With `normals` every face is
+/// a triangle.
 struct MeshData {
     std::string path; ///< as written in the scene: relative to it
     std::vector<Vec3> vertices;

@@ -20,8 +20,8 @@ struct Resolution {
 
 struct Camera {
     Vec3 position;
-    Vec3 focus;                            ///< the point looked at
-    Vec3 up{0, 1, 0};                      ///< need not be perpendicular to the view, must not be parallel to it
+    Vec3 focus;       ///< the point looked at
+    Vec3 up{0, 1, 0}; ///< need not be perpendicular to the view, must not be parallel to it
     double horizontalApertureDegrees = 45; ///< half-angle from the view axis, in (0, 90) (D1)
     double verticalApertureDegrees = 45;
     friend bool operator==(const Camera&, const Camera&) = default;
@@ -65,7 +65,8 @@ struct Body {
     std::optional<BackColours> back;        ///< disc, polygon, truncated cone, mesh
     Span span{};                            ///< the shape's directive; not part of the value
     friend bool operator==(const Body& a, const Body& b) {
-        return a.shape == b.shape && a.material == b.material && a.referential == b.referential && a.back == b.back;
+        return a.shape == b.shape && a.material == b.material && a.referential == b.referential &&
+               a.back == b.back;
     }
 };
 

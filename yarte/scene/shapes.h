@@ -12,7 +12,8 @@
 
 namespace yarte {
 
-/// Axes as written: versors, not yet normalised; see resolveReferential in scene/referential.h. No z: x cross y.
+/// Axes as written: versors, not yet normalised; see resolveReferential in scene/referential.h. No z: x cross
+/// y.
 struct Referential {
     Vec3 x{1, 0, 0}, y{0, 1, 0};
     std::optional<Vec3> z;

@@ -10,7 +10,8 @@
 
 namespace yarte {
 
-/// What rays meet: immutable, built once from a scene, shared by threads and (copy-on-write) by forked processes.
+/// What rays meet: immutable, built once from a scene, shared by threads and (copy-on-write) by forked
+/// processes.
 class World;
 
 struct WorldDeleter {

@@ -1,0 +1,58 @@
+// Scenes for tests, made in a line.
+#pragma once
+
+#include "yarte/scene/scene.h"
+
+#include <random>
+
+namespace yarte::test {
+
+inline Material matt(Colour diffuse) { return {{}, diffuse, {}, 1, 0, 0, 0}; }
+inline Material mirror(double reflection) { return {{}, {}, {}, 1, reflection, 0, 0}; }
+inline Material glass(double transmission, double index) { return {{}, {}, {}, 1, 0, transmission, index}; }
+
+/// A scene seen from (0, 0, 10) down the z axis, without lights or bodies.
+inline Scene emptyScene() {
+    Scene scene;
+    scene.camera.position = {0, 0, 10};
+    return scene;
+}
+
+/// Adds a body with a material of its own.
+inline Body& add(Scene& scene, Shape shape, const Material& material) {
+    scene.materials.push_back(material);
+    scene.bodies.push_back(
+        {std::move(shape), {static_cast<std::uint32_t>(scene.materials.size() - 1)}, {}, {}, {}});
+    return scene.bodies.back();
+}
+
+/// Adds `data` as a mesh placed as it is.
+inline Body& addMesh(Scene& scene, MeshData data, const Material& material) {
+    scene.meshes.push_back(std::move(data));
+    const MeshId id{static_cast<std::uint32_t>(scene.meshes.size() - 1)};
+    return add(scene, Mesh{id, 1, {{1, 0, 0}, {0, 1, 0}, Vec3{0, 0, 1}}, {}}, material);
+}
+
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+    double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
+    int below(int n) { return std::uniform_int_distribution<int>(0, n - 1)(engine_); }
+    Vec3 inCube(double half) { return {between(-half, half), between(-half, half), between(-half, half)}; }
+    Vec3 direction() {
+        for (;;)
+            if (const Vec3 v = inCube(1); dot(v, v) <= 1 && dot(v, v) > 1e-4) return normalised(v);
+    }
+    /// Axes as a person would write them: two perpendicular versors.
+    Referential referential() {
+        const Vec3 x = direction(), y = normalised(cross(x, direction()));
+        return {x, y, {}};
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+} // namespace yarte::test

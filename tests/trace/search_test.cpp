@@ -1,0 +1,145 @@
+#include "yarte/trace/search.h"
+
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+using namespace yarte;
+using namespace yarte::trace;
+
+namespace {
+
+/// Shapes of all kinds, some transmissive with different ct, some overlapping.
+Scene mixedScene(int count, unsigned seed) {
+    test::Random random(seed);
+    Scene scene = test::emptyScene();
+    MeshData tetrahedron;
+    tetrahedron.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    tetrahedron.corners = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+    tetrahedron.faceStarts = {0, 3, 6, 9, 12};
+    scene.meshes.push_back(tetrahedron);
+    for (int i = 0; i < count; ++i) {
+        Material material = test::matt({1, 1, 1});
+        if (i % 3 == 0) material.transmission = random.between(0.3, 1), material.index = random.between(1, 2);
+        const Vec3 c = random.inCube(10);
+        const double s = random.between(0.1, 1.5);
+        const auto turned = [&](Shape shape) {
+            test::add(scene, std::move(shape), material).referential = random.referential();
+        };
+        switch (i % 7) {
+        case 0: test::add(scene, yarte::Sphere{c, s}, material); break;
+        case 1: turned(yarte::Box{c, {s, 2 * s, s}}); break;
+        case 2: turned(yarte::Cone{c, s, 2 * s}); break;
+        case 3: turned(yarte::TruncatedCone{c, s, 3 * s, s}); break;
+        case 4: turned(yarte::Disc{c, s}); break;
+        case 5:
+            test::add(scene, yarte::Polygon{{c, c + Vec3{s, 0, 0}, c + Vec3{s, s, 0}, c + Vec3{0, s, 0}}},
+                      material);
+            break;
+        default: {
+            Referential axes = random.referential();
+            axes.z = Vec3{};
+            test::add(scene, yarte::Mesh{{0}, s, axes, c}, material);
+        }
+        }
+    }
+    return scene;
+}
+
+TEST(Search, TreeFindsWhatBruteForceFindsToTheLastBit) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const WorldPtr world = buildWorld(mixedScene(400, seed), {64, 64});
+        ASSERT_FALSE(world->tree.empty());
+        test::Random random(seed + 100);
+        int hits = 0, partial = 0;
+        for (int i = 0; i < 4000; ++i) {
+            Ray ray{random.inCube(14), random.direction(), {}};
+            if (i % 5 == 0) ray.direction = i % 2 ? Vec3{0, -1, 0} : Vec3{0, 0, 1}; // zero components
+            const auto a = nearestHit(*world, ray), b = nearestHitBrute(*world, ray);
+            ASSERT_EQ(a.has_value(), b.has_value()) << "seed " << seed << " ray " << i;
+            const double distance = random.between(1, 30);
+            const double lit = transmittance(*world, ray, distance);
+            EXPECT_EQ(lit, transmittanceBrute(*world, ray, distance)) << "seed " << seed << " ray " << i;
+            partial += lit > 0 && lit < 1;
+            if (!a) continue;
+            ++hits;
+            EXPECT_EQ(a->t, b->t);
+            EXPECT_EQ(a->element, b->element);
+            // And on from there: the ray leaves the surface it met.
+            const Ray next{
+                ray.at(a->t), random.direction(), {a->element, a->entering ? Side::outside : Side::inside}};
+            const auto c = nearestHit(*world, next), d = nearestHitBrute(*world, next);
+            ASSERT_EQ(c.has_value(), d.has_value());
+            if (c) {
+                EXPECT_EQ(c->t, d->t);
+                EXPECT_EQ(c->element, d->element);
+            }
+        }
+        EXPECT_GT(hits, 1000);
+        EXPECT_GT(partial, 50);
+    }
+}
+
+TEST(Search, OfTwoAtEqualDistanceTheFirstInTheFileWins) {
+    for (const int others : {0, 30}) { // without and with a tree
+        Scene scene = test::emptyScene();
+        test::add(scene, yarte::Polygon{{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}},
+                  test::matt({1, 0, 0}));
+        test::add(scene, yarte::Box{{0, 0, -1}, {2, 2, 2}}, test::matt({0, 1, 0}));
+        for (int i = 0; i < others; ++i)
+            test::add(scene, yarte::Sphere{{double(i), 50, 0}, 0.4}, test::matt({}));
+        const auto first = nearestHit(*buildWorld(scene, {1, 1}), {{0.1, 0.2, 5}, {0, 0, -1}, {}});
+        ASSERT_TRUE(first);
+        EXPECT_EQ(first->element, ElementId{0});
+        std::swap(scene.bodies[0], scene.bodies[1]);
+        const WorldPtr swapped = buildWorld(scene, {1, 1});
+        const auto second = nearestHit(*swapped, {{0.1, 0.2, 5}, {0, 0, -1}, {}});
+        ASSERT_TRUE(second);
+        EXPECT_EQ(second->element, ElementId{0});
+        EXPECT_EQ(swapped->appearanceOf(second->element).diffuse[0], (Colour{0, 1, 0}));
+    }
+}
+
+TEST(Search, ASphereDimsTheLightTwiceASheetOnce) {
+    Scene scene = test::emptyScene();
+    test::add(scene, yarte::Sphere{{0, 0, 0}, 1}, test::glass(0.5, 1.5));
+    test::add(scene, yarte::Polygon{{{-1, -1, 3}, {1, -1, 3}, {0, 1, 3}}}, test::glass(0.25, 1));
+    const WorldPtr world = buildWorld(scene, {1, 1});
+    const Ray ray{{0, 0, -5}, {0, 0, 1}, {}};
+    EXPECT_EQ(transmittance(*world, ray, 5), 0.5);         // ends inside the sphere
+    EXPECT_EQ(transmittance(*world, ray, 7), 0.25);        // behind it
+    EXPECT_EQ(transmittance(*world, ray, 9), 0.25 * 0.25); // and behind the sheet
+    EXPECT_EQ(transmittance(*world, ray, 3), 1);
+}
+
+TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Scene scene = mixedScene(7, seed); // one of each kind
+        const WorldPtr world = buildWorld(scene, {1, 1});
+        test::Random random(seed);
+        for (std::uint32_t e = 0; e < world->elements.size(); ++e) {
+            // Alone, so that whatever is met is the element itself.
+            for (int i = 0; i < 200; ++i) {
+                const Ray ray{random.inCube(12), random.direction(), {}};
+                world->visit({e}, [&](const auto& shape) {
+                    for (const Crossing& c : crossings(shape, ray)) {
+                        const Vec3 point = ray.at(c.t), n = outwardNormal(shape, point, c.part);
+                        Vec3 away = random.direction();
+                        if (dot(away, n) < 0) away = -away;
+                        World alone;
+                        alone.elements = world->elements, alone.elementBody = world->elementBody;
+                        alone.bodies = world->bodies, alone.spheres = world->spheres,
+                        alone.boxes = world->boxes;
+                        alone.cones = world->cones, alone.truncatedCones = world->truncatedCones;
+                        alone.discs = world->discs, alone.faces = world->faces;
+                        const auto outside = nearestHitBrute(alone, {point, away, {{e}, Side::outside}});
+                        EXPECT_TRUE(!outside || outside->element != ElementId{e})
+                            << "seed " << seed << " element " << e;
+                    }
+                });
+            }
+        }
+    }
+}
+
+} // namespace

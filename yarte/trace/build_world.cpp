@@ -1,0 +1,201 @@
+// From a scene to what rays meet.
+#include "yarte/scene/mesh_placement.h"
+#include "yarte/scene/referential.h"
+#include "yarte/trace/search.h"
+#include "yarte/trace/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <type_traits>
+
+namespace yarte {
+
+using namespace trace;
+
+namespace {
+
+/// Three vertex normals this close in every component make a flat face (decision D8).
+constexpr double flatNormals = 1e-5;
+
+Frame frameOf(const Body& body) { return body.referential ? resolveReferential(*body.referential) : Frame{}; }
+
+BodyAppearance appearance(const Material& m, const std::optional<BackColours>& back) {
+    const BackColours b = back.value_or(BackColours{m.ambient, m.diffuse, m.specular});
+    return {{m.ambient, b.ambient},
+            {m.diffuse, b.diffuse},
+            {m.specular, b.specular},
+            m.exponent,
+            m.reflection,
+            m.transmission,
+            m.index};
+}
+
+class Builder {
+public:
+    Builder(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+
+    void addBody(const Body& body) {
+        world_.bodies.push_back(appearance(scene_.materials[body.material.index], body.back));
+        std::visit([&](const auto& shape) { add(shape, body); }, body.shape);
+    }
+
+private:
+    void add(const yarte::Sphere& s, const Body&) { append(Kind::sphere, world_.spheres, trace::Sphere(s)); }
+    void add(const yarte::Box& b, const Body& body) {
+        append(Kind::box, world_.boxes, trace::Box(b, frameOf(body)));
+    }
+    void add(const yarte::Cone& c, const Body& body) {
+        append(Kind::cone, world_.cones, trace::Cone(c, frameOf(body)));
+    }
+    void add(const yarte::TruncatedCone& c, const Body& body) {
+        append(Kind::truncatedCone, world_.truncatedCones, trace::TruncatedCone(c, frameOf(body)));
+    }
+    void add(const yarte::Disc& d, const Body& body) {
+        append(Kind::disc, world_.discs, trace::Disc(d, frameOf(body)));
+    }
+    void add(const yarte::Polygon& p, const Body&) {
+        const auto first = static_cast<std::uint32_t>(world_.faces.vertices.size());
+        world_.faces.vertices.insert(world_.faces.vertices.end(), p.vertices.begin(), p.vertices.end());
+        std::vector<std::uint32_t> corners(p.vertices.size());
+        for (std::uint32_t i = 0; i < corners.size(); ++i) corners[i] = i;
+        addFace(corners, first, {}, 0);
+    }
+    void add(const yarte::Mesh& m, const Body&) {
+        const MeshData& data = scene_.meshes[m.mesh.index];
+        const auto firstVertex = static_cast<std::uint32_t>(world_.faces.vertices.size());
+        const auto firstNormal = static_cast<std::uint32_t>(world_.faces.normals.size());
+        const std::vector<Vec3> placed = placedVertices(data, m);
+        world_.faces.vertices.insert(world_.faces.vertices.end(), placed.begin(), placed.end());
+        const Frame axes = resolveReferential(m.axes);
+        for (const Vec3 n : data.normals) world_.faces.normals.push_back(normalised(axes.toWorld(n)));
+        for (std::size_t f = 0; f < data.faceCount(); ++f)
+            addFace(data.face(f), firstVertex,
+                    data.isSmooth() ? data.faceNormals(f) : std::span<const std::uint32_t>{}, firstNormal);
+    }
+
+    template <class Shape>
+    void append(Kind kind, std::vector<Shape>& table, const Shape& shape) {
+        addElement(kind, table.size());
+        table.push_back(shape);
+    }
+
+    void addElement(Kind kind, std::size_t row) {
+        world_.elements.push_back({kind, static_cast<std::uint32_t>(row)});
+        world_.elementBody.push_back({static_cast<std::uint32_t>(world_.bodies.size() - 1)});
+    }
+
+    /// Faces without area have no normal and are left out: no ray can meet them.
+    void addFace(std::span<const std::uint32_t> corners, std::uint32_t firstVertex,
+                 std::span<const std::uint32_t> normals, std::uint32_t firstNormal) {
+        FaceTable& table = world_.faces;
+        std::vector<Vec3> vertices;
+        for (const std::uint32_t corner : corners) vertices.push_back(table.vertices[firstVertex + corner]);
+        const Vec3 areaVector = newellNormal(vertices);
+        if (areaVector == Vec3{}) return;
+
+        Face face;
+        face.firstCorner = static_cast<std::uint32_t>(table.corners.size());
+        face.cornerCount = static_cast<std::uint32_t>(corners.size());
+        face.normal = normalised(areaVector);
+        for (const Vec3 v : vertices) face.anchor += (v - vertices[0]) / static_cast<double>(vertices.size());
+        face.anchor += vertices[0];
+        for (const std::uint32_t corner : corners) table.corners.push_back(firstVertex + corner);
+        if (!normals.empty()) {
+            table.cornerNormals.resize(table.corners.size() - corners.size());
+            for (const std::uint32_t normal : normals) table.cornerNormals.push_back(firstNormal + normal);
+            face.isSmooth = !areEqual(normals, firstNormal);
+        }
+        addElement(Kind::face, table.faces.size());
+        table.faces.push_back(face);
+    }
+
+    bool areEqual(std::span<const std::uint32_t> normals, std::uint32_t firstNormal) const {
+        const auto at = [&](std::size_t i) { return world_.faces.normals[firstNormal + normals[i]]; };
+        const auto close = [](Vec3 a, Vec3 b) {
+            return std::abs(a.x - b.x) < flatNormals && std::abs(a.y - b.y) < flatNormals &&
+                   std::abs(a.z - b.z) < flatNormals;
+        };
+        return close(at(0), at(1)) && close(at(0), at(2));
+    }
+
+    const Scene& scene_;
+    World& world_;
+};
+
+Tree treeOf(const World& world) {
+    if (world.elements.size() < minElementsForTree) return {};
+    std::vector<Bounds> boxes(world.elements.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+        boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
+        // Room for the rounding of a shape's own arithmetic, which is relative to where it lies.
+        const auto largest = [](Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+        const double margin = 1e-12 * std::max(largest(boxes[i].low), largest(boxes[i].high));
+        boxes[i].low = boxes[i].low - Vec3{margin, margin, margin};
+        boxes[i].high = boxes[i].high + Vec3{margin, margin, margin};
+    }
+    return buildTree(boxes);
+}
+
+/// How often the view axis, followed in one direction, leaves each transmissive body more than it enters it,
+/// and where first.
+struct Leaving {
+    std::vector<int> balance;
+    std::vector<double> first;
+};
+
+Leaving leavingAlong(const World& world, Vec3 direction) {
+    Leaving result{std::vector(world.bodies.size(), 0), std::vector(world.bodies.size(), Bounds::infinity)};
+    const Ray axis{world.camera.position, direction, {}};
+    for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
+        const std::uint32_t body = world.bodyOf({i}).index;
+        if (world.bodies[body].transmission == 0) continue;
+        world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
+            // Discs and truncated cones are open; faces count, since those of a mesh may close it.
+            if constexpr (Shape::isClosed || std::is_same_v<Shape, FaceShape>)
+                for (const Crossing& c : crossings(shape, axis)) {
+                    if (c.t <= 0) continue;
+                    result.balance[body] += c.entering ? -1 : 1;
+                    if (!c.entering) result.first[body] = std::min(result.first[body], c.t);
+                }
+        });
+    }
+    return result;
+}
+
+/// The transmissive closed bodies around the camera; the one whose exit along the view axis is farthest comes
+/// first. A body is around the camera if it is left both ahead and behind: that takes in closed meshes, but
+/// no lone polygon.
+std::vector<BodyId> mediaAround(const World& world) {
+    const Leaving ahead = leavingAlong(world, world.camera.forward);
+    const Leaving behind = leavingAlong(world, -world.camera.forward);
+    std::vector<BodyId> result;
+    for (std::uint32_t body = 0; body < world.bodies.size(); ++body)
+        if (ahead.balance[body] > 0 && behind.balance[body] > 0) result.push_back({body});
+    std::stable_sort(result.begin(), result.end(),
+                     [&](BodyId a, BodyId b) { return ahead.first[a.index] > ahead.first[b.index]; });
+    return result;
+}
+
+} // namespace
+
+WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
+    auto owned = std::make_unique<World>();
+    World& world = *owned;
+    world.camera = CameraRays(scene.camera, resolution);
+    world.background = scene.background;
+    world.levels = scene.maxRecursion;
+    for (const Light& light : scene.lights)
+        if (!isBlack(light.brightness)) world.lights.push_back(light);
+    Builder builder(scene, world);
+    for (const Body& body : scene.bodies) builder.addBody(body);
+    world.transmits = std::any_of(world.bodies.begin(), world.bodies.end(),
+                                  [](const auto& b) { return b.transmission > 0; });
+    if (world.transmits) world.cameraMedia = mediaAround(world);
+    world.tree = treeOf(world);
+    return WorldPtr(owned.release());
+}
+
+void WorldDeleter::operator()(const World* world) const { delete world; }
+
+} // namespace yarte

@@ -1,0 +1,53 @@
+// Cone: closed by its base disc, axis +y of its own axes. Part 0 is the lateral surface, part 1 the base.
+#pragma once
+
+#include "yarte/base/frame.h"
+#include "yarte/scene/shapes.h"
+#include "yarte/trace/nappe.h"
+#include "yarte/trace/ray.h"
+
+namespace yarte::trace {
+
+struct Cone {
+    static constexpr bool isFlat = false, isClosed = true;
+
+    Vec3 centre; ///< of the base
+    double radius, height, slope;
+    Frame axes;
+
+    Cone(const yarte::Cone& c, const Frame& frame)
+        : centre(c.centre), radius(c.radius), height(c.height), slope(c.radius / c.height), axes(frame) {}
+};
+
+inline Bounds bounds(const Cone& c) {
+    Bounds result = boundsOfCircle(c.centre, c.radius, c.axes.y);
+    result.add(c.centre + c.axes.y * c.height);
+    return result;
+}
+
+/// The stretch inside the nappe cut by the half-space above the base. Working with stretches instead of two
+/// surfaces leaves no crack at the rim: a line that enters always leaves.
+inline Crossings crossings(const Cone& c, const Ray& ray) {
+    const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
+    Stretch inside = stretchInNappe(p, d, c.slope, c.height);
+    std::uint8_t enterPart = 0, leavePart = 0;
+    if (d.y == 0) {
+        if (p.y < 0) return {};
+    } else {
+        const double base = -p.y / d.y;
+        if (d.y > 0 && base > inside.from) inside.from = base, enterPart = 1;
+        if (d.y < 0 && base < inside.to) inside.to = base, leavePart = 1;
+    }
+    Crossings result;
+    if (inside.empty()) return result;
+    result.add(inside.from, enterPart, true);
+    result.add(inside.to, leavePart, false);
+    return result;
+}
+
+inline Vec3 outwardNormal(const Cone& c, Vec3 point, std::uint8_t part) {
+    if (part == 1) return -c.axes.y;
+    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.slope));
+}
+
+} // namespace yarte::trace

@@ -1,0 +1,105 @@
+#include "yarte/trace/search.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace yarte::trace {
+namespace {
+
+/// Calls `visit` for the element's crossings with the ray ahead of its start.
+template <class Shape, class Visit>
+void visitCrossings(const Shape& shape, const Ray& ray, bool departs, Visit&& visit) {
+    if (!departs) {
+        for (const Crossing& c : crossings(shape, ray))
+            if (c.t > 0) visit(c);
+        return;
+    }
+    // The ray starts on this very surface. Outside a convex one there is nothing more to meet ...
+    if (Shape::isFlat || ray.from.side == Side::outside) return;
+    // ... and inside only its far end, which a closed one always has, however close to the start rounding
+    // puts it.
+    for (const Crossing& c : crossings(shape, ray)) {
+        if (c.entering) continue;
+        if (Shape::isClosed) return visit(Crossing{std::max(c.t, 0.0), c.part, false});
+        if (c.t > 0) visit(c);
+        return;
+    }
+    if (Shape::isClosed) visit(Crossing{0, 0, false});
+}
+
+/// `forEach(tMax, visit)` visits candidate elements; see traverse.
+template <class ForEach>
+std::optional<Hit> nearest(const World& world, const Ray& ray, ForEach&& forEach) {
+    double tMax = Bounds::infinity;
+    Hit best{Bounds::infinity, {}, 0, false};
+    forEach(tMax, [&](ElementId element) {
+        world.visit(element, [&](const auto& shape) {
+            visitCrossings(shape, ray, element == ray.from.element, [&](const Crossing& c) {
+                if (c.t > best.t || (c.t == best.t && element.index >= best.element.index)) return;
+                best = {c.t, element, c.part, c.entering};
+                tMax = c.t;
+            });
+        });
+        return false;
+    });
+    if (best.t == Bounds::infinity) return std::nullopt;
+    return best;
+}
+
+template <class ForEach>
+double throughput(const World& world, const Ray& ray, double distance, ForEach&& forEach) {
+    double tMax = distance;
+    bool isBlocked = false;
+    std::vector<double> factors; // stays empty, and allocates nothing, unless light passes through something
+    forEach(tMax, [&](ElementId element) {
+        const double transmission = world.appearanceOf(element).transmission;
+        world.visit(element, [&](const auto& shape) {
+            visitCrossings(shape, ray, element == ray.from.element, [&](const Crossing& c) {
+                if (c.t >= distance) return;
+                if (transmission == 0)
+                    isBlocked = true;
+                else
+                    factors.push_back(transmission);
+            });
+        });
+        return isBlocked;
+    });
+    if (isBlocked) return 0;
+    // Multiplied in the order of size, so that the order of the search cannot show in the last bit.
+    std::sort(factors.begin(), factors.end());
+    double product = 1;
+    for (const double factor : factors) product *= factor;
+    return product;
+}
+
+auto allElements(const World& world) {
+    return [&world](double&, auto&& visit) {
+        for (std::uint32_t i = 0; i < world.elements.size(); ++i)
+            if (visit(ElementId{i})) return;
+    };
+}
+
+auto treeElements(const World& world, const Ray& ray) {
+    return [&world, &ray](double& tMax, auto&& visit) { traverse(world.tree, ray, tMax, visit); };
+}
+
+} // namespace
+
+std::optional<Hit> nearestHitBrute(const World& world, const Ray& ray) {
+    return nearest(world, ray, allElements(world));
+}
+
+double transmittanceBrute(const World& world, const Ray& ray, double distance) {
+    return throughput(world, ray, distance, allElements(world));
+}
+
+std::optional<Hit> nearestHit(const World& world, const Ray& ray) {
+    return world.tree.empty() ? nearestHitBrute(world, ray) : nearest(world, ray, treeElements(world, ray));
+}
+
+double transmittance(const World& world, const Ray& ray, double distance) {
+    return world.tree.empty() ? transmittanceBrute(world, ray, distance)
+                              : throughput(world, ray, distance, treeElements(world, ray));
+}
+
+} // namespace yarte::trace

@@ -1,0 +1,94 @@
+// Tree: a binary hierarchy of bounding boxes over elements. Culling is conservative: it never changes which
+// element is hit.
+#pragma once
+
+#include "yarte/trace/bounds.h"
+#include "yarte/trace/ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace yarte::trace {
+
+/// Boxes in float, rounded outwards; two nodes fill a cache line.
+struct TreeNode {
+    float low[3];
+    std::uint32_t
+        first; ///< leaf: first entry of Tree::order; else the left child, the right one following it
+    float high[3];
+    std::uint32_t count; ///< leaf: number of entries; else 0
+};
+
+struct Tree {
+    std::vector<TreeNode> nodes; ///< nodes[0] is the root
+    std::vector<ElementId> order;
+    bool empty() const { return nodes.empty(); }
+};
+
+/// Below this many elements testing all of them is faster than a tree.
+inline constexpr std::size_t minElementsForTree = 12;
+
+/// By surface area, with Embree's builder [Wald, Woop, Benthin, Johnson, Ernst, "Embree", SIGGRAPH 2014].
+Tree buildTree(std::span<const Bounds> elements);
+
+/// The slab test's constants for one ray. A direction component of 0 becomes a slope so steep that the line
+/// stays where it is, but products with 0 remain numbers.
+struct SlabRay {
+    Vec3 origin, inverse;
+
+    explicit SlabRay(const Ray& ray) : origin(ray.origin) {
+        const auto invert = [](double d) { return std::copysign(std::min(1 / std::abs(d), 1e200), d); };
+        inverse = {invert(ray.direction.x), invert(ray.direction.y), invert(ray.direction.z)};
+    }
+
+    /// The smallest t >= 0 at which the line may be in the box, or infinity if that is beyond tMax. Rounding
+    /// is covered by widening the far end [Ize, "Robust BVH Ray Traversal", JCGT 2013].
+    double enter(const TreeNode& node, double tMax) const {
+        constexpr double widen = 1 + 8 * 0x1p-53;
+        const auto axis = [](double low, double high, double o, double i, double& from, double& to) {
+            const double a = (low - o) * i, b = (high - o) * i;
+            from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b) * widen);
+        };
+        double from = 0, to = tMax;
+        axis(node.low[0], node.high[0], origin.x, inverse.x, from, to);
+        axis(node.low[1], node.high[1], origin.y, inverse.y, from, to);
+        axis(node.low[2], node.high[2], origin.z, inverse.z, from, to);
+        return from <= to ? from : Bounds::infinity;
+    }
+};
+
+/// Calls `visit(ElementId)` for every element whose box the ray may meet at t in [0, tMax], near boxes first;
+/// `visit` may lower tMax, and ends the search by returning true.
+template <class Visit>
+void traverse(const Tree& tree, const Ray& ray, double& tMax, Visit&& visit) {
+    struct Pending {
+        std::uint32_t node;
+        double enter;
+    };
+    // Deeper than any tree that the builder makes (Tree's builder limits the depth).
+    Pending stack[64];
+    int size = 0;
+    const SlabRay slab(ray);
+    const double rootEnter = slab.enter(tree.nodes[0], tMax);
+    if (rootEnter != Bounds::infinity) stack[size++] = {0, rootEnter};
+    while (size > 0) {
+        const auto [index, enter] = stack[--size];
+        if (enter > tMax) continue; // not >=: of two at equal distance the first in the file must be found
+        const TreeNode& node = tree.nodes[index];
+        if (node.count > 0) {
+            for (std::uint32_t i = 0; i < node.count; ++i)
+                if (visit(tree.order[node.first + i])) return;
+            continue;
+        }
+        Pending near{node.first, slab.enter(tree.nodes[node.first], tMax)};
+        Pending far{node.first + 1, slab.enter(tree.nodes[node.first + 1], tMax)};
+        if (far.enter < near.enter) std::swap(near, far);
+        if (far.enter != Bounds::infinity) stack[size++] = far;
+        if (near.enter != Bounds::infinity) stack[size++] = near;
+    }
+}
+
+} // namespace yarte::trace

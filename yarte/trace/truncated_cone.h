@@ -1,0 +1,49 @@
+// TruncatedCone: the lateral surface of a cone between its base and `height`; open at both ends, axis +y of
+// its own axes.
+#pragma once
+
+#include "yarte/base/frame.h"
+#include "yarte/scene/shapes.h"
+#include "yarte/trace/nappe.h"
+#include "yarte/trace/ray.h"
+
+namespace yarte::trace {
+
+struct TruncatedCone {
+    static constexpr bool isFlat = false, isClosed = false;
+
+    Vec3 centre; ///< of the base
+    double radius, coneHeight, height, slope;
+    Frame axes;
+
+    TruncatedCone(const yarte::TruncatedCone& c, const Frame& frame)
+        : centre(c.centre), radius(c.radius), coneHeight(c.coneHeight), height(c.height),
+          slope(c.radius / c.coneHeight), axes(frame) {}
+};
+
+inline Bounds bounds(const TruncatedCone& c) {
+    Bounds result = boundsOfCircle(c.centre, c.radius, c.axes.y);
+    result.add(boundsOfCircle(c.centre + c.axes.y * c.height, c.slope * (c.coneHeight - c.height), c.axes.y));
+    return result;
+}
+
+/// The ends of the stretch inside the nappe, each kept if it lies between the two rims.
+inline Crossings crossings(const TruncatedCone& c, const Ray& ray) {
+    const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
+    const Stretch inside = stretchInNappe(p, d, c.slope, c.coneHeight);
+    Crossings result;
+    if (inside.empty()) return result;
+    const auto isKept = [&](double t) {
+        const double y = p.y + t * d.y;
+        return std::isfinite(t) && y >= 0 && y <= c.height;
+    };
+    if (isKept(inside.from)) result.add(inside.from, 0, true);
+    if (isKept(inside.to)) result.add(inside.to, 0, false);
+    return result;
+}
+
+inline Vec3 outwardNormal(const TruncatedCone& c, Vec3 point, std::uint8_t) {
+    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.slope));
+}
+
+} // namespace yarte::trace
