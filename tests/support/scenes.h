@@ -55,4 +55,44 @@ private:
     std::mt19937_64 engine_;
 };
 
+/// Shapes of all kinds, some transmissive with different ct, some overlapping.
+inline Scene mixedScene(int count, unsigned seed) {
+    Random random(seed);
+    Scene scene = emptyScene();
+    MeshData tetrahedron;
+    tetrahedron.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+    tetrahedron.corners = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
+    tetrahedron.faceStarts = {0, 3, 6, 9, 12};
+    scene.meshes.push_back(tetrahedron);
+    for (int i = 0; i < count; ++i) {
+        Material material = matt({random.between(0, 1), random.between(0, 1), random.between(0, 1)});
+        material.ambient = material.diffuse * 0.1;
+        material.specular = {0.3, 0.2, random.between(0, 1)};
+        material.exponent = random.between(1, 200);
+        if (i % 4 == 0) material.reflection = random.between(0.1, 0.9);
+        if (i % 3 == 0) material.transmission = random.between(0.3, 1), material.index = random.between(1, 2);
+        const Vec3 c = random.inCube(10);
+        const double s = random.between(0.1, 1.5);
+        const auto turned = [&](Shape shape) {
+            add(scene, std::move(shape), material).referential = random.referential();
+        };
+        switch (i % 7) {
+        case 0: add(scene, Sphere{c, s}, material); break;
+        case 1: turned(Box{c, {s, 2 * s, s}}); break;
+        case 2: turned(Cone{c, s, 2 * s}); break;
+        case 3: turned(TruncatedCone{c, s, 3 * s, s}); break;
+        case 4: turned(Disc{c, s}); break;
+        case 5:
+            add(scene, Polygon{{c, c + Vec3{s, 0, 0}, c + Vec3{s, s, 0}, c + Vec3{0, s, 0}}}, material);
+            break;
+        default: {
+            Referential axes = random.referential();
+            axes.z = Vec3{};
+            add(scene, Mesh{{0}, s, axes, c}, material);
+        }
+        }
+    }
+    return scene;
+}
+
 } // namespace yarte::test

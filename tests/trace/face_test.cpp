@@ -15,13 +15,8 @@ FaceTable tableOf(std::vector<Vec3> vertices, const std::vector<std::vector<std:
     FaceTable table;
     table.vertices = std::move(vertices);
     for (const auto& corners : faces) {
-        std::vector<Vec3> ring;
-        Vec3 mean;
-        for (const auto c : corners) ring.push_back(table.vertices[c]);
-        for (const Vec3 v : ring) mean += v / static_cast<double>(ring.size());
         table.faces.push_back({static_cast<std::uint32_t>(table.corners.size()),
-                               static_cast<std::uint32_t>(corners.size()), false,
-                               normalised(newellNormal(ring)), mean});
+                               static_cast<std::uint32_t>(corners.size()), false});
         table.corners.insert(table.corners.end(), corners.begin(), corners.end());
     }
     return table;
@@ -102,7 +97,7 @@ TEST(Face, LShapeIsInsideWhereTheLIs) {
         const bool inL = x > 0 && y > 0 && x < 2 && y < 2 && (x < 1 || y < 1);
         EXPECT_EQ(hits(table, {{x, y, 3}, {0, 0, -1}, {}}), inL ? 1 : 0) << x << ' ' << y;
     }
-    EXPECT_EQ(table.faces[0].normal, (Vec3{0, 0, 1}));
+    EXPECT_EQ(planeOf(table, table.faces[0]).normal, (Vec3{0, 0, 1}));
 }
 
 TEST(Face, OrientationIsExactWhereRoundingDecides) {

@@ -9,46 +9,9 @@ using namespace yarte::trace;
 
 namespace {
 
-/// Shapes of all kinds, some transmissive with different ct, some overlapping.
-Scene mixedScene(int count, unsigned seed) {
-    test::Random random(seed);
-    Scene scene = test::emptyScene();
-    MeshData tetrahedron;
-    tetrahedron.vertices = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-    tetrahedron.corners = {0, 1, 2, 0, 3, 1, 0, 2, 3, 1, 3, 2};
-    tetrahedron.faceStarts = {0, 3, 6, 9, 12};
-    scene.meshes.push_back(tetrahedron);
-    for (int i = 0; i < count; ++i) {
-        Material material = test::matt({1, 1, 1});
-        if (i % 3 == 0) material.transmission = random.between(0.3, 1), material.index = random.between(1, 2);
-        const Vec3 c = random.inCube(10);
-        const double s = random.between(0.1, 1.5);
-        const auto turned = [&](Shape shape) {
-            test::add(scene, std::move(shape), material).referential = random.referential();
-        };
-        switch (i % 7) {
-        case 0: test::add(scene, yarte::Sphere{c, s}, material); break;
-        case 1: turned(yarte::Box{c, {s, 2 * s, s}}); break;
-        case 2: turned(yarte::Cone{c, s, 2 * s}); break;
-        case 3: turned(yarte::TruncatedCone{c, s, 3 * s, s}); break;
-        case 4: turned(yarte::Disc{c, s}); break;
-        case 5:
-            test::add(scene, yarte::Polygon{{c, c + Vec3{s, 0, 0}, c + Vec3{s, s, 0}, c + Vec3{0, s, 0}}},
-                      material);
-            break;
-        default: {
-            Referential axes = random.referential();
-            axes.z = Vec3{};
-            test::add(scene, yarte::Mesh{{0}, s, axes, c}, material);
-        }
-        }
-    }
-    return scene;
-}
-
 TEST(Search, TreeFindsWhatBruteForceFindsToTheLastBit) {
     for (const unsigned seed : {1u, 2u, 3u}) {
-        const WorldPtr world = buildWorld(mixedScene(400, seed), {64, 64});
+        const WorldPtr world = buildWorld(test::mixedScene(400, seed), {64, 64});
         ASSERT_FALSE(world->tree.empty());
         test::Random random(seed + 100);
         int hits = 0, partial = 0;
@@ -114,7 +77,7 @@ TEST(Search, ASphereDimsTheLightTwiceASheetOnce) {
 
 TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
-        const Scene scene = mixedScene(7, seed); // one of each kind
+        const Scene scene = test::mixedScene(7, seed); // one of each kind
         const WorldPtr world = buildWorld(scene, {1, 1});
         test::Random random(seed);
         for (std::uint32_t e = 0; e < world->elements.size(); ++e) {

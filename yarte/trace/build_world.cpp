@@ -89,18 +89,14 @@ private:
     void addFace(std::span<const std::uint32_t> corners, std::uint32_t firstVertex,
                  std::span<const std::uint32_t> normals, std::uint32_t firstNormal) {
         FaceTable& table = world_.faces;
-        std::vector<Vec3> vertices;
-        for (const std::uint32_t corner : corners) vertices.push_back(table.vertices[firstVertex + corner]);
-        const Vec3 areaVector = newellNormal(vertices);
-        if (areaVector == Vec3{}) return;
-
         Face face;
         face.firstCorner = static_cast<std::uint32_t>(table.corners.size());
         face.cornerCount = static_cast<std::uint32_t>(corners.size());
-        face.normal = normalised(areaVector);
-        for (const Vec3 v : vertices) face.anchor += (v - vertices[0]) / static_cast<double>(vertices.size());
-        face.anchor += vertices[0];
         for (const std::uint32_t corner : corners) table.corners.push_back(firstVertex + corner);
+        if (!isFinite(planeOf(table, face).normal)) {
+            table.corners.resize(face.firstCorner);
+            return;
+        }
         if (!normals.empty()) {
             table.cornerNormals.resize(table.corners.size() - corners.size());
             for (const std::uint32_t normal : normals) table.cornerNormals.push_back(firstNormal + normal);
@@ -126,14 +122,8 @@ private:
 Tree treeOf(const World& world) {
     if (world.elements.size() < minElementsForTree) return {};
     std::vector<Bounds> boxes(world.elements.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
         boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
-        // Room for the rounding of a shape's own arithmetic, which is relative to where it lies.
-        const auto largest = [](Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
-        const double margin = 1e-12 * std::max(largest(boxes[i].low), largest(boxes[i].high));
-        boxes[i].low = boxes[i].low - Vec3{margin, margin, margin};
-        boxes[i].high = boxes[i].high + Vec3{margin, margin, margin};
-    }
     return buildTree(boxes);
 }
 

@@ -13,9 +13,23 @@ double doubleArea(Point2 a, Point2 b, Point2 c) {
 
 } // namespace
 
+/// Newell's normal [Sutherland, Sproull, Schumacker 1974] as a sum of cross products relative to the first
+/// vertex, so that a small polygon far from the origin keeps its digits.
+Plane planeOf(const FaceTable& table, const Face& face) {
+    const auto corners = table.cornersOf(face);
+    const Vec3 first = table.vertices[corners[0]];
+    Vec3 areaVector, sum;
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const Vec3 edge = table.vertices[corners[i]] - first;
+        if (i + 1 < corners.size()) areaVector += cross(edge, table.vertices[corners[i + 1]] - first);
+        sum += edge;
+    }
+    return {normalised(areaVector), first + sum / static_cast<double>(corners.size())};
+}
+
 Vec3 outwardNormal(const FaceShape& s, Vec3 point, std::uint8_t) {
-    if (!s.face.isSmooth) return s.face.normal;
-    const Vec3 n = s.face.normal;
+    const Vec3 n = planeOf(s.table, s.face).normal;
+    if (!s.face.isSmooth) return n;
     const double ax = std::abs(n.x), ay = std::abs(n.y), az = std::abs(n.z);
     const auto flatten = [&](Vec3 v) -> Point2 {
         if (ax >= ay && ax >= az) return {v.y, v.z};
@@ -33,13 +47,6 @@ Vec3 outwardNormal(const FaceShape& s, Vec3 point, std::uint8_t) {
     // The weights carry the sign of the projected winding.
     const Vec3 interpolated = doubleArea(a, b, c) < 0 ? -sum : sum;
     return interpolated == Vec3{} ? n : normalised(interpolated);
-}
-
-Vec3 newellNormal(std::span<const Vec3> vertices) {
-    Vec3 sum;
-    for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
-        sum += cross(vertices[i] - vertices[0], vertices[i + 1] - vertices[0]);
-    return sum;
 }
 
 } // namespace yarte::trace

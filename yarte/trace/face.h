@@ -20,8 +20,13 @@ namespace yarte::trace {
 struct Face {
     std::uint32_t firstCorner = 0, cornerCount = 0;
     bool isSmooth = false;
+};
+
+/// The plane of a face (decision D9). Computed when a ray passes inside, which is rare, and not kept:
+/// millions of triangles are more often looked at than met.
+struct Plane {
     Vec3 normal; ///< unit, Newell's rule
-    Vec3 anchor; ///< a point of the plane: the vertices' mean
+    Vec3 anchor; ///< the vertices' mean
 };
 
 struct FaceTable {
@@ -95,10 +100,10 @@ inline Bounds bounds(const FaceShape& s) {
     return result;
 }
 
+Plane planeOf(const FaceTable&, const Face&);
+
 inline Crossings crossings(const FaceShape& s, const Ray& ray) {
     Crossings result;
-    const double fall = -dot(ray.direction, s.face.normal);
-    if (fall == 0) return result;
     const Shear shear(ray);
     const auto corners = s.table.cornersOf(s.face);
     bool isInside = false;
@@ -108,16 +113,15 @@ inline Crossings crossings(const FaceShape& s, const Ray& ray) {
         if (crossesHalfAxis(previous, next)) isInside = !isInside;
         previous = next;
     }
-    if (isInside) result.add(dot(ray.origin - s.face.anchor, s.face.normal) / fall, 0, fall > 0);
+    if (!isInside) return result;
+    const Plane plane = planeOf(s.table, s.face);
+    const double fall = -dot(ray.direction, plane.normal);
+    if (fall != 0) result.add(dot(ray.origin - plane.anchor, plane.normal) / fall, 0, fall > 0);
     return result;
 }
 
 /// The plane's normal or, on a smooth face, the interpolated one: barycentric in the projection along the
 /// plane normal's largest component.
 Vec3 outwardNormal(const FaceShape&, Vec3 point, std::uint8_t part);
-
-/// Newell's normal [Sutherland, Sproull, Schumacker 1974] of a polygon, not normalised: twice its area. Taken
-/// relative to the first vertex, so that a small polygon far from the origin keeps its digits.
-Vec3 newellNormal(std::span<const Vec3> vertices);
 
 } // namespace yarte::trace

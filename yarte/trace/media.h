@@ -5,6 +5,8 @@
 #include "yarte/trace/world.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace yarte::trace {
@@ -43,6 +45,29 @@ inline Passage pass(const World& world, const MediaStack& before, BodyId body) {
     result.ratio = from / to;
     result.isContinued = from == to;
     return result;
+}
+
+/// The ray that carries the transmitted light.
+struct Transmission {
+    Vec3 direction;
+    Side side;                ///< it leaves the surface to
+    bool isReflected = false; ///< total reflection
+    bool isContinued = false; ///< no new level
+    MediaStack media;
+};
+
+/// Snell's law in vector form: with k = 1 - ratio^2 (1 - cos^2), the refracted direction is
+/// ratio d + (ratio cos - sqrt(k)) N [Heckbert89]; k < 0 is total reflection, to the mirror direction.
+/// `normal` faces the viewer, who is on `viewer`'s side.
+inline Transmission transmit(const World& world, const MediaStack& before, BodyId body, Vec3 direction,
+                             Vec3 normal, Vec3 mirror, Side viewer) {
+    Passage passage = pass(world, before, body);
+    if (passage.isContinued) return {direction, opposite(viewer), false, true, std::move(passage.after)};
+    const double cosine = -dot(direction, normal);
+    const double k = 1 - passage.ratio * passage.ratio * (1 - cosine * cosine);
+    if (k < 0) return {mirror, viewer, true, false, before};
+    const Vec3 refracted = passage.ratio * direction + (passage.ratio * cosine - std::sqrt(k)) * normal;
+    return {normalised(refracted), opposite(viewer), false, false, std::move(passage.after)};
 }
 
 } // namespace yarte::trace

@@ -51,10 +51,9 @@ inline Stretch stretchInNappe(Vec3 p, Vec3 d, double slope, double height) {
 
 /// The outward normal at a local point of the surface: radial, tilted up by the slope. At the apex, the axis.
 inline Vec3 nappeNormal(Vec3 p, double slope) {
-    const double distance = std::hypot(p.x, p.z);
+    const double distance = std::sqrt(p.x * p.x + p.z * p.z);
     if (distance == 0) return {0, 1, 0};
-    const double norm = std::hypot(1.0, slope);
-    return {p.x / distance / norm, slope / norm, p.z / distance / norm};
+    return normalised({p.x / distance, slope, p.z / distance});
 }
 
 } // namespace yarte::trace

@@ -1,5 +1,7 @@
 #include "yarte/trace/phong.h"
 
+#include "yarte/trace/power.h"
+
 #include <cmath>
 
 namespace yarte::trace {
@@ -31,7 +33,7 @@ Colour localColour(const World& world, const SurfacePoint& point, Vec3 mirrorDir
         if (arriving == 0) continue;
         const double highlight = dot(mirrorDirection, direction);
         Colour reflected = diffuse * cosine;
-        if (highlight > 0) reflected += specular * std::pow(highlight, body.exponent);
+        if (highlight > 0) reflected += specular * power(highlight, body.exponent);
         sum += light.brightness * arriving * reflected;
     }
     return sum;

@@ -1,10 +1,16 @@
 #include "yarte/trace/render_tile.h"
 
+#include "yarte/trace/lanes/lanes.h"
 #include "yarte/trace/whitted.h"
 
 namespace yarte {
 
 void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
+    trace::renderTileInLanes(world, tile, pixels, stride, counts);
+}
+
+void renderTileReference(const World& world, Tile tile, Colour* pixels, std::size_t stride,
+                         RayCounts& counts) {
     trace::Whitted whitted(world);
     for (int y = tile.y0; y < tile.y1; ++y) {
         for (int x = tile.x0; x < tile.x1; ++x)

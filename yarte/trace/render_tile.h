@@ -44,4 +44,7 @@ struct RayCounts {
 /// A pixel depends on the world and its own place alone: never on the tile, the process or the thread.
 void renderTile(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
 
+/// The same, ray by ray in plain code: the reference that renderTile equals to the last bit.
+void renderTileReference(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
+
 } // namespace yarte

@@ -85,17 +85,23 @@ private:
 Tree buildTree(std::span<const Bounds> elements) {
     Tree tree;
     if (elements.empty()) return tree;
-    std::vector<RTCBuildPrimitive> primitives(elements.size());
-    RTCBounds whole{};
     Bounds all;
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        const auto& [low, high] = elements[i];
-        all.add(elements[i]);
-        primitives[i] = {roundDown(low.x), roundDown(low.y), roundDown(low.z), 0,
-                         roundUp(high.x),  roundUp(high.y),  roundUp(high.z),  static_cast<unsigned>(i)};
-    }
-    whole = {roundDown(all.low.x), roundDown(all.low.y), roundDown(all.low.z), 0,
-             roundUp(all.high.x),  roundUp(all.high.y),  roundUp(all.high.z),  0};
+    for (const Bounds& element : elements) all.add(element);
+    tree.centre = (all.low + all.high) / 2;
+    tree.radius = length(all.high - all.low) / 2;
+    const double margin = boxMargin * tree.radius;
+    const Vec3 widen{margin, margin, margin};
+    const auto boxOf = [&](const Bounds& b, unsigned id) -> RTCBuildPrimitive {
+        const Vec3 low = b.low - tree.centre - widen, high = b.high - tree.centre + widen;
+        return {roundDown(low.x), roundDown(low.y), roundDown(low.z), 0,
+                roundUp(high.x),  roundUp(high.y),  roundUp(high.z),  id};
+    };
+    std::vector<RTCBuildPrimitive> primitives(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        primitives[i] = boxOf(elements[i], static_cast<unsigned>(i));
+    const RTCBuildPrimitive root = boxOf(all, 0);
+    const RTCBounds whole{root.lower_x, root.lower_y, root.lower_z, 0,
+                          root.upper_x, root.upper_y, root.upper_z, 0};
 
     const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice(nullptr),
                                                                            rtcReleaseDevice);
@@ -114,12 +120,12 @@ Tree buildTree(std::span<const Bounds> elements) {
     arguments.setNodeChildren = setChildren;
     arguments.setNodeBounds = setBounds;
     arguments.createLeaf = createLeaf;
-    const auto* root = static_cast<const BuiltNode*>(rtcBuildBVH(&arguments));
-    if (!root) throw std::bad_alloc();
+    const auto* built = static_cast<const BuiltNode*>(rtcBuildBVH(&arguments));
+    if (!built) throw std::bad_alloc();
 
     tree.nodes.resize(1);
     tree.order.reserve(elements.size());
-    Flattener(tree).write(0, *root, whole);
+    Flattener(tree).write(0, *built, whole);
     return tree;
 }
 

@@ -13,7 +13,7 @@
 
 namespace yarte::trace {
 
-/// Boxes in float, rounded outwards; two nodes fill a cache line.
+/// Boxes in float, relative to Tree::centre and rounded outwards; two nodes fill a cache line.
 struct TreeNode {
     float low[3];
     std::uint32_t
@@ -23,6 +23,8 @@ struct TreeNode {
 };
 
 struct Tree {
+    Vec3 centre;                 ///< of all elements
+    double radius = 0;           ///< of a sphere about the centre that holds all elements
     std::vector<TreeNode> nodes; ///< nodes[0] is the root
     std::vector<ElementId> order;
     bool empty() const { return nodes.empty(); }
@@ -30,6 +32,10 @@ struct Tree {
 
 /// Below this many elements testing all of them is faster than a tree.
 inline constexpr std::size_t minElementsForTree = 12;
+
+/// Every box is widened by this fraction of the tree's radius: room for tracing through it in float, whose
+/// rounding moves a line by less than 10 * 2^-24 radii, and for the rounding of the shapes' own arithmetic.
+inline constexpr double boxMargin = 2e-6;
 
 /// By surface area, with Embree's builder [Wald, Woop, Benthin, Johnson, Ernst, "Embree", SIGGRAPH 2014].
 Tree buildTree(std::span<const Bounds> elements);
@@ -39,7 +45,7 @@ Tree buildTree(std::span<const Bounds> elements);
 struct SlabRay {
     Vec3 origin, inverse;
 
-    explicit SlabRay(const Ray& ray) : origin(ray.origin) {
+    SlabRay(const Tree& tree, const Ray& ray) : origin(ray.origin - tree.centre) {
         const auto invert = [](double d) { return std::copysign(std::min(1 / std::abs(d), 1e200), d); };
         inverse = {invert(ray.direction.x), invert(ray.direction.y), invert(ray.direction.z)};
     }
@@ -71,7 +77,7 @@ void traverse(const Tree& tree, const Ray& ray, double& tMax, Visit&& visit) {
     // Deeper than any tree that the builder makes (Tree's builder limits the depth).
     Pending stack[64];
     int size = 0;
-    const SlabRay slab(ray);
+    const SlabRay slab(tree, ray);
     const double rootEnter = slab.enter(tree.nodes[0], tMax);
     if (rootEnter != Bounds::infinity) stack[size++] = {0, rootEnter};
     while (size > 0) {

@@ -1,6 +1,5 @@
 #include "yarte/trace/whitted.h"
 
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -39,35 +38,14 @@ Colour Whitted::trace(const Pending& pending, RayCounts& counts) {
     return localColour(world_, point, mirror, counts.shadow);
 }
 
-/// Snell's law in vector form: with k = 1 - ratio^2 (1 - cos^2), the refracted direction is
-/// ratio d + (ratio cos - sqrt(k)) N [Heckbert89]; k < 0 is total reflection, which takes the transmitted
-/// ray's weight.
 void Whitted::transmit(const Pending& pending, const SurfacePoint& point, Vec3 mirror, RayCounts& counts) {
-    const Vec3 direction = pending.ray.direction;
-    Passage passage = pass(world_, pending.media, world_.bodyOf(point.element));
-    Pending next{{point.position, direction, {point.element, opposite(point.viewerSide)}},
-                 pending.weight * world_.appearanceOf(point.element).transmission,
-                 pending.levelsLeft - 1,
-                 {}};
-    if (passage.isContinued) {
-        next.levelsLeft = pending.levelsLeft;
-    } else {
-        const double cosine = -dot(direction, point.normal);
-        const double k = 1 - passage.ratio * passage.ratio * (1 - cosine * cosine);
-        if (k < 0) {
-            ++counts.reflected;
-            next.ray.direction = mirror;
-            next.ray.from.side = point.viewerSide;
-            next.media = pending.media;
-            transmitted_.push_back(std::move(next));
-            return;
-        }
-        next.ray.direction =
-            normalised(passage.ratio * direction + (passage.ratio * cosine - std::sqrt(k)) * point.normal);
-    }
-    ++counts.transmitted;
-    next.media = std::move(passage.after);
-    transmitted_.push_back(std::move(next));
+    Transmission next = trace::transmit(world_, pending.media, world_.bodyOf(point.element),
+                                        pending.ray.direction, point.normal, mirror, point.viewerSide);
+    ++(next.isReflected ? counts.reflected : counts.transmitted);
+    transmitted_.push_back({{point.position, next.direction, {point.element, next.side}},
+                            pending.weight * world_.appearanceOf(point.element).transmission,
+                            pending.levelsLeft - (next.isContinued ? 0 : 1),
+                            std::move(next.media)});
 }
 
 } // namespace yarte::trace

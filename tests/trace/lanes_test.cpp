@@ -1,0 +1,106 @@
+// Every instruction set gives the bits of the plain code.
+#include "yarte/trace/lanes/lanes.h"
+
+#include "tests/support/scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+using namespace yarte;
+
+namespace {
+
+struct Picture {
+    std::vector<Colour> pixels;
+    RayCounts counts;
+};
+
+Picture render(const World& world, Tile tile, decltype(renderTile)& renderer) {
+    Picture picture;
+    picture.pixels.resize(static_cast<std::size_t>(tile.width() * tile.height()));
+    renderer(world, tile, picture.pixels.data(), static_cast<std::size_t>(tile.width()), picture.counts);
+    return picture;
+}
+
+bool sameBits(const Picture& a, const Picture& b) {
+    return a.pixels.size() == b.pixels.size() && a.counts == b.counts &&
+           std::memcmp(a.pixels.data(), b.pixels.data(), a.pixels.size() * sizeof(Colour)) == 0;
+}
+
+class EveryTarget : public testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override { trace::forceLaneTarget(GetParam()); }
+    void TearDown() override { trace::forceLaneTarget(""); }
+};
+
+TEST_P(EveryTarget, GivesTheBitsOfThePlainCode) {
+    for (const int count : {5, 11, 60, 500}) { // without and with a tree
+        for (unsigned seed = 1; seed <= 4; ++seed) {
+            Scene scene = test::mixedScene(count, seed);
+            scene.camera.position = {1, 2, 25};
+            scene.background = {0.1, 0.2, 0.3};
+            scene.maxRecursion = 5;
+            scene.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
+            scene.lights.push_back({{-3, 1, 2}, {0.5, 0.5, 0.7}, {}}); // among the bodies
+            const WorldPtr world = buildWorld(scene, {75, 61});
+            const Tile tile{3, 2, 75, 61};
+            EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)))
+                << "bodies " << count << " seed " << seed;
+        }
+    }
+}
+
+TEST_P(EveryTarget, SmoothMeshes) {
+    Scene scene = test::emptyScene();
+    test::Random random(3);
+    MeshData ball; // a bumpy sphere of triangles with the normals of a smooth one
+    const int n = 12;
+    for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x) {
+            const double u = 2 * M_PI * x / n, v = M_PI * (y + 0.01) / (n + 0.02);
+            const Vec3 p{std::sin(v) * std::cos(u), std::cos(v), std::sin(v) * std::sin(u)};
+            ball.vertices.push_back(p * 3);
+            ball.normals.push_back(normalised(p + 0.2 * random.direction()));
+        }
+    for (std::uint32_t y = 0; y < n; ++y)
+        for (std::uint32_t x = 0; x < n; ++x) {
+            const std::uint32_t a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
+            for (const std::uint32_t corner : {a, b, d, a, d, c}) ball.corners.push_back(corner);
+            ball.faceStarts.push_back(static_cast<std::uint32_t>(ball.corners.size() - 3));
+            ball.faceStarts.push_back(static_cast<std::uint32_t>(ball.corners.size()));
+        }
+    ball.cornerNormals = ball.corners;
+    Material material = test::matt({0.4, 0.5, 0.6});
+    material.specular = {1, 1, 1}, material.exponent = 30, material.reflection = 0.3;
+    test::addMesh(scene, ball, material).back = BackColours{{0.5, 0, 0}, {1, 0, 0}, {}};
+    scene.lights.push_back({{5, 6, 7}, {1, 1, 1}, {}});
+    const WorldPtr world = buildWorld(scene, {80, 60});
+    const Tile tile{0, 0, 80, 60};
+    EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lanes, EveryTarget, testing::ValuesIn(trace::laneTargets()),
+                         [](const auto& target) { return target.param; });
+
+TEST(Lanes, TilesDoNotShow) {
+    const Scene scene = [] {
+        Scene s = test::mixedScene(100, 9);
+        s.camera.position = {1, 2, 25};
+        s.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
+        return s;
+    }();
+    const WorldPtr world = buildWorld(scene, {50, 40});
+    const Picture whole = render(*world, {0, 0, 50, 40}, renderTile);
+    for (int y = 0; y < 40; y += 7)
+        for (int x = 0; x < 50; x += 9) {
+            const Tile tile{x, y, std::min(x + 9, 50), std::min(y + 7, 40)};
+            const Picture part = render(*world, tile, renderTile);
+            for (int j = 0; j < tile.height(); ++j)
+                for (int i = 0; i < tile.width(); ++i)
+                    EXPECT_EQ(part.pixels[static_cast<std::size_t>(j * tile.width() + i)],
+                              whole.pixels[static_cast<std::size_t>((y + j) * 50 + x + i)]);
+        }
+}
+
+} // namespace

@@ -1,0 +1,151 @@
+// Searching the world along a packet of rays; see yarte/trace/search.h for what is found.
+#if defined(YARTE_TRACE_LANES_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef YARTE_TRACE_LANES_SEARCH_INL_H
+#undef YARTE_TRACE_LANES_SEARCH_INL_H
+#else
+#define YARTE_TRACE_LANES_SEARCH_INL_H
+#endif
+
+#include "yarte/trace/lanes/shapes-inl.h"
+#include "yarte/trace/lanes/tree-inl.h"
+#include "yarte/trace/search.h"
+#include "yarte/trace/world.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace yarte::trace::HWY_NAMESPACE {
+
+/// Lanes that start on the element itself: they meet it only from its inside, and only at its far end.
+struct Departing {
+    M any, inside;
+};
+
+HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, double element) {
+    const M departs = load(rays.from + at) == set(element);
+    return {departs, hn::And(departs, isSet(load(rays.inside + at)))};
+}
+
+/// The crossings that count: ahead of the start, and not the start itself.
+template <class Shape>
+HWY_INLINE CrossingLanes ahead(const Shape& shape, const RayPacket& rays, std::size_t at, double element) {
+    const V zero = set(0);
+    CrossingLanes c = crossings(shape, rays.origin(at), rays.direction(at));
+    const Departing departs = departing(rays, at, element);
+    const M leaves = c.leaves;
+    c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > zero));
+    c.leaves = hn::And(leaves, c.leave > zero);
+    if constexpr (Shape::isFlat) {
+        c.leaves = hn::AndNot(departs.any, c.leaves);
+    } else if (any(departs.any)) {
+        c.leaves = hn::AndNot(hn::AndNot(departs.inside, departs.any), c.leaves);
+        if constexpr (Shape::isClosed) { // left in any case, however close rounding puts the end to the start
+            c.leave = select(departs.inside, select(leaves, greatest(c.leave, zero), zero), c.leave);
+            c.leavePart = select(hn::AndNot(leaves, departs.inside), zero, c.leavePart);
+            c.leaves = hn::Or(c.leaves, departs.inside);
+        }
+    }
+    return c;
+}
+
+template <class Shape>
+HWY_INLINE bool improve(const Shape& shape, double element, const RayPacket& rays, HitPacket& best) {
+    bool improved = false;
+    for (std::size_t at = 0; at < lanes; at += half) {
+        const CrossingLanes c = ahead(shape, rays, at, element);
+        const M some = hn::Or(c.enters, c.leaves);
+        if (!any(some)) continue;
+        const V t = select(c.enters, c.enter, c.leave);
+        const V bestT = load(best.t + at);
+        const M first = hn::And(t == bestT, set(element) < load(best.element + at));
+        const M better = hn::And(some, hn::Or(t < bestT, first));
+        if (!any(better)) continue;
+        improved = true;
+        store(select(better, t, bestT), best.t + at);
+        store(select(better, set(element), load(best.element + at)), best.element + at);
+        store(select(better, select(c.enters, c.enterPart, c.leavePart), load(best.part + at)),
+              best.part + at);
+        store(select(better, flag(c.enters), load(best.entering + at)), best.entering + at);
+    }
+    return improved;
+}
+
+/// Nearest crossings of all lanes; element is noElement where there is none.
+HWY_INLINE void nearestHits(const World& world, const RayPacket& rays, HitPacket& best) {
+    for (std::size_t at = 0; at < lanes; at += half) {
+        store(set(Bounds::infinity), best.t + at);
+        store(set(noElement), best.element + at);
+        store(set(0), best.part + at);
+        store(set(0), best.entering + at);
+    }
+    const auto test = [&](ElementId id) HWY_ATTR {
+        return world.visit(id,
+                           [&](const auto& shape) HWY_ATTR { return improve(shape, id.index, rays, best); });
+    };
+    if (world.tree.empty()) {
+        for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i});
+        return;
+    }
+    SlabPacket slab(world.tree, rays, best.t);
+    traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
+        bool improved = false;
+        for (std::uint32_t i = 0; i < leaf.count; ++i) improved |= test(world.tree.order[leaf.first + i]);
+        if (improved)
+            for (std::size_t lane = 0; lane < lanes; ++lane) slab.setMax(lane, best.t[lane]);
+        return false;
+    });
+}
+
+/// What is known of the light of each lane while its way is searched; flags as doubles.
+struct alignas(64) ShadowPacket {
+    double distance[lanes];
+    double blocked[lanes];
+    double dimmed[lanes]; ///< passes through something transmissive
+};
+
+template <class Shape>
+HWY_INLINE void shade(const Shape& shape, double element, bool isOpaque, const RayPacket& rays,
+                      ShadowPacket& shadow) {
+    for (std::size_t at = 0; at < lanes; at += half) {
+        const CrossingLanes c = ahead(shape, rays, at, element);
+        const V distance = load(shadow.distance + at);
+        const M crossed =
+            hn::Or(hn::And(c.enters, c.enter < distance), hn::And(c.leaves, c.leave < distance));
+        double* marks = isOpaque ? shadow.blocked + at : shadow.dimmed + at;
+        store(select(crossed, set(1), load(marks)), marks);
+    }
+}
+
+HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
+    M free = none();
+    for (std::size_t at = 0; at < lanes; at += half) free = hn::Or(free, load(shadow.blocked + at) == set(0));
+    return !any(free);
+}
+
+/// Marks the lanes whose way to the light is blocked or dimmed. Lanes that start as blocked are not looked
+/// at.
+HWY_INLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow) {
+    const auto test = [&](ElementId id) HWY_ATTR {
+        const bool isOpaque = world.appearanceOf(id).transmission == 0;
+        world.visit(id, [&](const auto& shape) HWY_ATTR { shade(shape, id.index, isOpaque, rays, shadow); });
+    };
+    if (world.tree.empty()) {
+        for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
+            test({i});
+            if (allBlocked(shadow)) return;
+        }
+        return;
+    }
+    alignas(64) double reach[lanes];
+    for (std::size_t i = 0; i < lanes; ++i) reach[i] = shadow.blocked[i] != 0 ? -1 : shadow.distance[i];
+    SlabPacket slab(world.tree, rays, reach);
+    traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
+        for (std::uint32_t i = 0; i < leaf.count; ++i) test(world.tree.order[leaf.first + i]);
+        for (std::size_t i = 0; i < lanes; ++i)
+            if (shadow.blocked[i] != 0) slab.tMax[i] = -1;
+        return allBlocked(shadow);
+    });
+}
+
+} // namespace yarte::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

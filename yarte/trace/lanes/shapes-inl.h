@@ -1,0 +1,213 @@
+// One kernel per shape, for as many rays as the machine has lanes. Each computes what the scalar `crossings`
+// in the shape's own header computes, in the same order, so to the last bit; the derivations are there.
+#if defined(YARTE_TRACE_LANES_SHAPES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef YARTE_TRACE_LANES_SHAPES_INL_H
+#undef YARTE_TRACE_LANES_SHAPES_INL_H
+#else
+#define YARTE_TRACE_LANES_SHAPES_INL_H
+#endif
+
+#include "yarte/trace/box.h"
+#include "yarte/trace/cone.h"
+#include "yarte/trace/disc.h"
+#include "yarte/trace/face.h"
+#include "yarte/trace/lanes/packet-inl.h"
+#include "yarte/trace/sphere.h"
+#include "yarte/trace/truncated_cone.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace yarte::trace::HWY_NAMESPACE {
+
+HWY_INLINE CrossingLanes crossings(const Sphere& s, V3 origin, V3 direction) {
+    const V radius2 = set(s.radius * s.radius);
+    const V3 u = origin - spread(s.centre);
+    const V b = hn::Neg(dot(u, direction));
+    const V3 nearest = u + direction * b;
+    const V discriminant = radius2 - dot(nearest, nearest);
+    const M hits = discriminant >= set(0);
+    const V h = hn::Sqrt(greatest(discriminant, set(0)));
+    const V large = select(b < set(0), b - h, b + h);
+    const V small = select(large != set(0), (dot(u, u) - radius2) / large, set(0));
+    return {least(large, small), greatest(large, small), set(0), set(0), hits, hits};
+}
+
+/// One slab of a box: narrows enter and leave, or rules the lane out.
+HWY_INLINE void clipToSlab(V origin, V direction, double halfSide, double lowPart, CrossingLanes& c) {
+    const V h = set(halfSide);
+    const M parallel = direction == set(0);
+    const M outside = hn::And(parallel, hn::Abs(origin) > h);
+    const V a = (hn::Neg(h) - origin) / direction, b = (h - origin) / direction;
+    const M swapped = a > b;
+    const V low = select(swapped, b, a), high = select(swapped, a, b);
+    const V lowSide = select(swapped, set(lowPart + 1), set(lowPart));
+    const V highSide = select(swapped, set(lowPart), set(lowPart + 1));
+    const M later = hn::AndNot(parallel, low > c.enter), earlier = hn::AndNot(parallel, high < c.leave);
+    c.enter = select(later, low, c.enter), c.enterPart = select(later, lowSide, c.enterPart);
+    c.leave = select(earlier, high, c.leave), c.leavePart = select(earlier, highSide, c.leavePart);
+    c.enters = hn::AndNot(outside, c.enters);
+}
+
+HWY_INLINE CrossingLanes crossings(const Box& b, V3 worldOrigin, V3 worldDirection) {
+    const V3 origin = toLocal(b.axes, worldOrigin - spread(b.centre)),
+             direction = toLocal(b.axes, worldDirection);
+    CrossingLanes c{set(-Bounds::infinity), set(Bounds::infinity), set(0), set(0),
+                    set(0) == set(0),       set(0) == set(0)};
+    clipToSlab(origin.x, direction.x, b.half.x, 0, c);
+    clipToSlab(origin.y, direction.y, b.half.y, 2, c);
+    clipToSlab(origin.z, direction.z, b.half.z, 4, c);
+    c.enters = hn::And(c.enters, c.enter <= c.leave);
+    c.leaves = c.enters;
+    return c;
+}
+
+struct StretchLanes {
+    V from, to;
+};
+
+HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, double slope, double height) {
+    const V zero = set(0), slope2 = set(slope * slope);
+    const V moved = hn::Neg(dot(p, d));
+    const V3 q = p + d * moved;
+    const V x = q.x, z = q.z, w = set(height) - q.y, dw = hn::Neg(d.y);
+
+    const V a = d.x * d.x + d.z * d.z - slope2 * dw * dw;
+    const V b = x * d.x + z * d.z - slope2 * w * dw;
+    const V c = x * x + z * z - slope2 * w * w;
+    const V xw = x * dw - w * d.x, zw = z * dw - w * d.z, xz = x * d.z - z * d.x;
+    const V discriminant = slope2 * (xw * xw + zw * zw) - xz * xz;
+
+    const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
+    const M linear = a == zero;
+    const V single = moved - c / (set(2) * b);
+    const M below = hn::And(b<zero, dw> zero), above = hn::And(b > zero, dw < zero);
+
+    const V h = hn::Sqrt(greatest(discriminant, zero));
+    const V sum = hn::Neg(select(b < zero, b - h, b + h));
+    const V root1 = sum / a, root2 = select(sum != zero, c / sum, root1);
+    const V low = moved + least(root1, root2), high = moved + greatest(root1, root2);
+    const M both = hn::And(a > zero, hn::And(discriminant >= zero, w - b / a * dw > zero));
+    const M steep = a<zero, down = dw> zero;
+
+    // Empty unless one of the cases of the scalar form applies.
+    V from = infinity, to = minusInfinity;
+    from = select(both, low, from), to = select(both, high, to);
+    from = select(steep, select(down, high, minusInfinity), from),
+    to = select(steep, select(down, infinity, low), to);
+    from = select(linear, select(below, single, select(above, minusInfinity, infinity)), from);
+    to = select(linear, select(below, infinity, select(above, single, minusInfinity)), to);
+    return {from, to};
+}
+
+HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
+    const V zero = set(0), one = set(1);
+    const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
+    auto [from, to] = stretchInNappe(p, d, c.slope, c.height);
+    const V base = hn::Neg(p.y) / d.y;
+    const M baseEnters = hn::And(d.y > zero, base > from), baseLeaves = hn::And(d.y < zero, base < to);
+    from = select(baseEnters, base, from), to = select(baseLeaves, base, to);
+    const M beside = hn::And(d.y == zero, p.y < zero);
+    const M hits = hn::AndNot(beside, from <= to);
+    return {from, to, select(baseEnters, one, zero), select(baseLeaves, one, zero), hits, hits};
+}
+
+HWY_INLINE CrossingLanes crossings(const TruncatedCone& c, V3 origin, V3 direction) {
+    const V zero = set(0), height = set(c.height), infinity = set(Bounds::infinity);
+    const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
+    const auto [from, to] = stretchInNappe(p, d, c.slope, c.coneHeight);
+    const M hits = from <= to;
+    const V fromY = p.y + from * d.y, toY = p.y + to * d.y;
+    const M keepsFrom = hn::And(hn::Abs(from) < infinity, hn::And(fromY >= zero, fromY <= height));
+    const M keepsTo = hn::And(hn::Abs(to) < infinity, hn::And(toY >= zero, toY <= height));
+    return {from, to, zero, zero, hn::And(hits, keepsFrom), hn::And(hits, keepsTo)};
+}
+
+/// A flat shape is crossed once, one way or the other.
+HWY_INLINE CrossingLanes onceCrossed(V t, V fall, M hits) {
+    const M enters = fall > set(0);
+    return {t, t, set(0), set(0), hn::And(hits, enters), hn::AndNot(enters, hits)};
+}
+
+HWY_INLINE CrossingLanes crossings(const Disc& s, V3 origin, V3 direction) {
+    const V3 normal = spread(s.normal), u = origin - spread(s.centre);
+    const V fall = hn::Neg(dot(direction, normal));
+    const V t = dot(u, normal) / fall;
+    const V3 fromCentre = u + direction * t;
+    return onceCrossed(t, fall,
+                       hn::And(fall != set(0), dot(fromCentre, fromCentre) <= set(s.radius * s.radius)));
+}
+
+/// Shear as two rows that a vertex is multiplied with: the components that the scalar form leaves out are
+/// exact zeros.
+struct ShearLanes {
+    V3 origin, rowX, rowY;
+
+    HWY_INLINE ShearLanes(V3 o, V3 d) : origin(o) {
+        const V zero = set(0), one = set(1);
+        const V ax = hn::Abs(d.x), ay = hn::Abs(d.y), az = hn::Abs(d.z);
+        const M axisX = hn::And(ax > ay, ax > az), axisY = hn::AndNot(ax > ay, ay > az);
+        const V pz = select(axisX, d.x, select(axisY, d.y, d.z));
+        const V px = select(axisX, d.y, select(axisY, d.z, d.x)),
+                py = select(axisX, d.z, select(axisY, d.x, d.y));
+        const V slopeX = hn::Neg(px / pz), slopeY = hn::Neg(py / pz);
+        rowX = {select(axisX, slopeX, select(axisY, zero, one)),
+                select(axisX, one, select(axisY, slopeX, zero)),
+                select(axisX, zero, select(axisY, one, slopeX))};
+        rowY = {select(axisX, slopeY, select(axisY, one, zero)),
+                select(axisX, zero, select(axisY, slopeY, one)),
+                select(axisX, one, select(axisY, zero, slopeY))};
+    }
+    HWY_INLINE void see(Vec3 vertex, V& x, V& y) const {
+        const V3 p = spread(vertex) - origin;
+        x = dot(p, rowX), y = dot(p, rowY);
+    }
+};
+
+/// Where rounded products do not decide, which is rare, lane by lane with exact ones.
+HWY_NOINLINE M exactlyGreater(V ax, V by, V bx, V ay) {
+    alignas(64) double a[half], b[half], c[half], d[half], result[half];
+    store(ax, a), store(by, b), store(bx, c), store(ay, d);
+    for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) > 0 ? 1 : 0;
+    return isSet(load(result));
+}
+HWY_NOINLINE M exactlyLess(V ax, V by, V bx, V ay) {
+    alignas(64) double a[half], b[half], c[half], d[half], result[half];
+    store(ax, a), store(by, b), store(bx, c), store(ay, d);
+    for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) < 0 ? 1 : 0;
+    return isSet(load(result));
+}
+
+HWY_INLINE M crossesHalfAxis(V ax, V ay, V bx, V by) {
+    const V zero = set(0);
+    const M aAbove = ay > zero, bAbove = by > zero;
+    const M spans = hn::Xor(aAbove, bAbove);
+    const V left = ax * by, right = bx * ay;
+    M greater = left > right, less = left < right;
+    if (any(hn::And(spans, left == right))) [[unlikely]]
+        greater = exactlyGreater(ax, by, bx, ay), less = exactlyLess(ax, by, bx, ay);
+    return hn::And(spans, hn::Or(hn::And(bAbove, greater), hn::AndNot(bAbove, less)));
+}
+
+HWY_INLINE CrossingLanes crossings(const FaceShape& s, V3 origin, V3 direction) {
+    const ShearLanes shear(origin, direction);
+    const auto corners = s.table.cornersOf(s.face);
+    M inside = none();
+    V previousX, previousY;
+    shear.see(s.table.vertices[corners.back()], previousX, previousY);
+    for (const std::uint32_t vertex : corners) {
+        V x, y;
+        shear.see(s.table.vertices[vertex], x, y);
+        inside = hn::Xor(inside, crossesHalfAxis(previousX, previousY, x, y));
+        previousX = x, previousY = y;
+    }
+    if (!any(inside)) return {set(0), set(0), set(0), set(0), none(), none()};
+    const Plane plane = planeOf(s.table, s.face);
+    const V3 normal = spread(plane.normal);
+    const V fall = hn::Neg(dot(direction, normal));
+    const V t = dot(origin - spread(plane.anchor), normal) / fall;
+    return onceCrossed(t, fall, hn::And(inside, fall != set(0)));
+}
+
+} // namespace yarte::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,109 @@
+// A packet's way through the tree: all lanes together, boxes in float. Culling only: it never changes which
+// element is hit.
+#if defined(YARTE_TRACE_LANES_TREE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef YARTE_TRACE_LANES_TREE_INL_H
+#undef YARTE_TRACE_LANES_TREE_INL_H
+#else
+#define YARTE_TRACE_LANES_TREE_INL_H
+#endif
+
+#include "yarte/trace/lanes/packet-inl.h"
+#include "yarte/trace/tree.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace yarte::trace::HWY_NAMESPACE {
+
+/// A packet's rays relative to the tree's centre, in float. A ray that starts far outside the tree is moved
+/// up to it first (in double), so that float always has the tree's own scale to work on.
+struct alignas(64) SlabPacket {
+    float ox[lanes], oy[lanes], oz[lanes], ix[lanes], iy[lanes], iz[lanes]; ///< origin, inverse direction
+    float tMax[lanes];   ///< from the moved origin, rounded up
+    double moved[lanes]; ///< how far
+
+    SlabPacket(const Tree& tree, const RayPacket& rays, const double* distance) {
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const Vec3 o = Vec3{rays.ox[i], rays.oy[i], rays.oz[i]} - tree.centre;
+            const Vec3 d{rays.dx[i], rays.dy[i], rays.dz[i]};
+            moved[i] = std::max(0.0, -dot(o, d) - tree.radius);
+            const Vec3 start = o + moved[i] * d;
+            ox[i] = static_cast<float>(start.x), oy[i] = static_cast<float>(start.y),
+            oz[i] = static_cast<float>(start.z);
+            ix[i] = inverse(d.x), iy[i] = inverse(d.y), iz[i] = inverse(d.z);
+            setMax(i, distance[i]);
+        }
+    }
+    void setMax(std::size_t lane, double t) {
+        tMax[lane] = static_cast<float>(t - moved[lane]) * (1 + 0x1p-22f);
+    }
+
+private:
+    /// Of a component so small that a float cannot hold its inverse, the line stands still along that axis.
+    static float inverse(double d) {
+        return static_cast<float>(std::copysign(1 / std::max(std::abs(d), 1e-18), d));
+    }
+};
+
+/// Where the lanes enter the box, or infinity in those that miss it; `hits` tells which do not.
+HWY_INLINE VF enterBox(const TreeNode& node, const SlabPacket& rays, MF& hits) {
+    const F f;
+    const auto slab = [&](float low, float high, const float* o, const float* i, VF& from, VF& to) HWY_ATTR {
+        const VF origin = hn::Load(f, o), inverse = hn::Load(f, i);
+        const VF a = (hn::Set(f, low) - origin) * inverse, b = (hn::Set(f, high) - origin) * inverse;
+        from = hn::Max(from, hn::Min(a, b)), to = hn::Min(to, hn::Max(a, b));
+    };
+    VF from = hn::Zero(f), to = hn::Load(f, rays.tMax);
+    slab(node.low[0], node.high[0], rays.ox, rays.ix, from, to);
+    slab(node.low[1], node.high[1], rays.oy, rays.iy, from, to);
+    slab(node.low[2], node.high[2], rays.oz, rays.iz, from, to);
+    hits = from <= to;
+    return hn::IfThenElse(hits, from, hn::Set(f, Bounds::infinity));
+}
+
+/// Calls `leaf(node)` for the leaves that some lane may meet, near ones first; `leaf` may lower rays.tMax,
+/// and ends the search by returning true.
+template <class Leaf>
+HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
+    const F f;
+    struct alignas(64) Pending {
+        float enter[lanes];
+        std::uint32_t node;
+    };
+    Pending stack[64];
+    int size = 0;
+    MF hits;
+    hn::Store(enterBox(tree.nodes[0], rays, hits), f, stack[0].enter);
+    stack[0].node = 0;
+    if (!hn::AllFalse(f, hits)) size = 1;
+    while (size > 0) {
+        const Pending& top = stack[--size];
+        // Not <: of two at equal distance the first in the file must be found.
+        if (hn::AllFalse(f, hn::Load(f, top.enter) <= hn::Load(f, rays.tMax))) continue;
+        const TreeNode* node = &tree.nodes[top.node];
+        while (node->count == 0) {
+            MF leftHits, rightHits;
+            const TreeNode& left = tree.nodes[node->first];
+            const TreeNode& right = tree.nodes[node->first + 1];
+            const VF leftEnter = enterBox(left, rays, leftHits),
+                     rightEnter = enterBox(right, rays, rightHits);
+            const bool goesLeft = !hn::AllFalse(f, leftHits), goesRight = !hn::AllFalse(f, rightHits);
+            if (goesLeft && goesRight) {
+                const bool leftFirst =
+                    hn::CountTrue(f, leftEnter < rightEnter) >= hn::CountTrue(f, rightEnter < leftEnter);
+                hn::Store(leftFirst ? rightEnter : leftEnter, f, stack[size].enter);
+                stack[size++].node = node->first + (leftFirst ? 1 : 0);
+                node = leftFirst ? &left : &right;
+            } else if (goesLeft || goesRight) {
+                node = goesLeft ? &left : &right;
+            } else {
+                node = nullptr;
+                break;
+            }
+        }
+        if (node && leaf(*node)) return;
+    }
+}
+
+} // namespace yarte::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,76 @@
+// Vectors of lanes: the names and few helpers that the kernels share. Every operation here rounds as its
+// scalar namesake does, and none is fused: a lane computes the bits that scalar code computes.
+//
+// This and the other -inl.h files are compiled once per instruction set: see lanes.cpp and Highway's
+// documentation.
+#if defined(YARTE_TRACE_LANES_VECTOR_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef YARTE_TRACE_LANES_VECTOR_INL_H
+#undef YARTE_TRACE_LANES_VECTOR_INL_H
+#else
+#define YARTE_TRACE_LANES_VECTOR_INL_H
+#endif
+
+#include "yarte/base/colour.h"
+#include "yarte/base/vec3.h"
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+
+HWY_BEFORE_NAMESPACE();
+namespace yarte::trace::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<double>;
+using F = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+using VF = hn::Vec<F>;
+using MF = hn::Mask<F>;
+
+/// Rays in a packet: one float vector of boxes, two double vectors ("halves") of shapes.
+inline constexpr std::size_t lanes = HWY_LANES(float);
+inline constexpr std::size_t half = HWY_LANES(double);
+
+HWY_INLINE V set(double x) { return hn::Set(D(), x); }
+HWY_INLINE V load(const double* from) { return hn::Load(D(), from); }
+HWY_INLINE void store(V v, double* to) { hn::Store(v, D(), to); }
+HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
+HWY_INLINE V least(V a, V b) { return select(b < a, b, a); }    // std::min
+HWY_INLINE V greatest(V a, V b) { return select(a < b, b, a); } // std::max
+HWY_INLINE bool any(M mask) { return !hn::AllFalse(D(), mask); }
+HWY_INLINE M none() { return set(0) != set(0); }
+HWY_INLINE M isSet(V flag) { return flag != set(0); }
+HWY_INLINE V flag(M mask) { return hn::IfThenElseZero(mask, set(1)); }
+
+struct V3 {
+    V x, y, z;
+};
+
+HWY_INLINE V3 spread(Vec3 v) { return {set(v.x), set(v.y), set(v.z)}; }
+HWY_INLINE V3 operator+(V3 a, V3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+HWY_INLINE V3 operator-(V3 a, V3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+HWY_INLINE V3 operator*(V3 a, V s) { return {a.x * s, a.y * s, a.z * s}; }
+HWY_INLINE V3 operator/(V3 a, V s) { return {a.x / s, a.y / s, a.z / s}; }
+HWY_INLINE V dot(V3 a, V3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+HWY_INLINE V3 normalised(V3 a) { return a / hn::Sqrt(dot(a, a)); }
+HWY_INLINE V3 select(M mask, V3 yes, V3 no) {
+    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
+}
+HWY_INLINE V3 negated(V3 a) { return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)}; }
+
+/// Components along the axes of a frame; see Frame::toLocal and toWorld.
+template <class Axes>
+HWY_INLINE V3 toLocal(const Axes& f, V3 v) {
+    return {dot(v, spread(f.x)), dot(v, spread(f.y)), dot(v, spread(f.z))};
+}
+template <class Axes>
+HWY_INLINE V3 toWorld(const Axes& f, V3 v) {
+    return spread(f.x) * v.x + spread(f.y) * v.y + spread(f.z) * v.z;
+}
+
+} // namespace yarte::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
