@@ -16,7 +16,7 @@ FaceTable tableOf(std::vector<Vec3> vertices, const std::vector<std::vector<std:
     table.vertices = std::move(vertices);
     for (const auto& corners : faces) {
         table.faces.push_back({static_cast<std::uint32_t>(table.corners.size()),
-                               static_cast<std::uint32_t>(corners.size()), false});
+                               static_cast<std::uint32_t>(corners.size()), Face::noPlane, false});
         table.corners.insert(table.corners.end(), corners.begin(), corners.end());
     }
     return table;

@@ -93,9 +93,14 @@ private:
         face.firstCorner = static_cast<std::uint32_t>(table.corners.size());
         face.cornerCount = static_cast<std::uint32_t>(corners.size());
         for (const std::uint32_t corner : corners) table.corners.push_back(firstVertex + corner);
-        if (!isFinite(planeOf(table, face).normal)) {
+        const Plane plane = computePlane(table, face);
+        if (!isFinite(plane.normal)) {
             table.corners.resize(face.firstCorner);
             return;
+        }
+        if (corners.size() > 3) {
+            face.plane = static_cast<std::uint32_t>(table.planes.size());
+            table.planes.push_back(plane);
         }
         if (!normals.empty()) {
             table.cornerNormals.resize(table.corners.size() - corners.size());
@@ -125,6 +130,17 @@ Tree treeOf(const World& world) {
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
     return buildTree(boxes);
+}
+
+void listTransmissions(World& world) {
+    std::vector<double>& list = world.transmissions;
+    for (const BodyAppearance& body : world.bodies)
+        if (body.transmission > 0) list.push_back(body.transmission);
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    for (BodyAppearance& body : world.bodies)
+        body.transmissionLevel = static_cast<std::uint32_t>(
+            std::lower_bound(list.begin(), list.end(), body.transmission) - list.begin());
 }
 
 /// How often the view axis, followed in one direction, leaves each transmissive body more than it enters it,
@@ -179,9 +195,8 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
         if (!isBlack(light.brightness)) world.lights.push_back(light);
     Builder builder(scene, world);
     for (const Body& body : scene.bodies) builder.addBody(body);
-    world.transmits = std::any_of(world.bodies.begin(), world.bodies.end(),
-                                  [](const auto& b) { return b.transmission > 0; });
-    if (world.transmits) world.cameraMedia = mediaAround(world);
+    listTransmissions(world);
+    if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
     world.tree = treeOf(world);
     return WorldPtr(owned.release());
 }

@@ -17,16 +17,17 @@
 
 namespace yarte::trace {
 
-struct Face {
-    std::uint32_t firstCorner = 0, cornerCount = 0;
-    bool isSmooth = false;
-};
-
-/// The plane of a face (decision D9). Computed when a ray passes inside, which is rare, and not kept:
-/// millions of triangles are more often looked at than met.
+/// The plane of a face (decision D9).
 struct Plane {
     Vec3 normal; ///< unit, Newell's rule
     Vec3 anchor; ///< the vertices' mean
+};
+
+struct Face {
+    static constexpr std::uint32_t noPlane = 0xffffffff;
+    std::uint32_t firstCorner = 0, cornerCount = 0;
+    std::uint32_t plane = noPlane; ///< in FaceTable::planes, for more than three corners
+    bool isSmooth = false;
 };
 
 struct FaceTable {
@@ -35,6 +36,9 @@ struct FaceTable {
     std::vector<Vec3> normals;                ///< unit vertex normals of smooth faces
     std::vector<std::uint32_t> cornerNormals; ///< parallel to corners, or empty if nothing is smooth
     std::vector<Face> faces;
+    /// Of larger polygons. A triangle's plane is computed when a ray passes inside, which is rare, and not
+    /// kept: millions of them are more often looked at than met.
+    std::vector<Plane> planes;
 
     std::span<const std::uint32_t> cornersOf(const Face& f) const {
         return std::span(corners).subspan(f.firstCorner, f.cornerCount);
@@ -100,7 +104,12 @@ inline Bounds bounds(const FaceShape& s) {
     return result;
 }
 
-Plane planeOf(const FaceTable&, const Face&);
+/// From the vertices.
+Plane computePlane(const FaceTable&, const Face&);
+
+inline Plane planeOf(const FaceTable& table, const Face& face) {
+    return face.plane != Face::noPlane ? table.planes[face.plane] : computePlane(table, face);
+}
 
 inline Crossings crossings(const FaceShape& s, const Ray& ray) {
     Crossings result;

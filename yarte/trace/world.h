@@ -38,6 +38,7 @@ struct BodyAppearance {
     Colour ambient[2], diffuse[2],
         specular[2]; ///< [0] front, [1] back: the same unless the body has back colours
     double exponent, reflection, transmission, index;
+    std::uint32_t transmissionLevel = 0; ///< place of `transmission` in World::transmissions
 };
 
 } // namespace trace
@@ -60,8 +61,9 @@ public:
     std::vector<trace::Element> elements;   ///< by ElementId
     std::vector<trace::BodyId> elementBody; ///< by ElementId
 
-    trace::Tree tree;                       ///< over elements; empty for few of them
-    bool transmits = false;                 ///< some body has ct > 0
+    trace::Tree tree; ///< over elements; empty for few of them
+    std::vector<double>
+        transmissions; ///< the distinct ct > 0 of the bodies, ascending; empty: nothing transmits
     std::vector<trace::BodyId> cameraMedia; ///< transmissive closed bodies around the camera, outermost first
 
     trace::BodyId bodyOf(trace::ElementId id) const { return elementBody[id.index]; }

@@ -2,46 +2,62 @@
 // straight from it.
 #pragma once
 
-#include "yarte/trace/media.h"
+#include "yarte/trace/lanes/media_pool.h"
 #include "yarte/trace/ray.h"
 
-#include <array>
+#include <hwy/aligned_allocator.h>
+
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 namespace yarte::trace {
 
-/// Index of a media stack in its pool; 0 is that of the camera.
-using MediaIndex = std::uint32_t;
+/// All components are doubles: ids, levels and flags are small integers, which doubles hold exactly.
+class RayQueue {
+public:
+    enum Component { ox, oy, oz, dx, dy, dz, from, inside, weight, pixel, levels, media, componentCount };
 
-struct RayQueue {
-    enum Component { ox, oy, oz, dx, dy, dz, from, inside, weight, componentCount };
+    std::size_t size() const { return size_; }
+    const double* at(Component c, std::size_t i) const { return data_.get() + c * capacity_ + i; }
 
-    std::array<std::vector<double>, componentCount> components;
-    std::vector<std::uint32_t> pixels; ///< which sum the ray's colour goes to
-    std::vector<int> levelsLeft;
-    std::vector<MediaIndex> media;
-
-    std::size_t size() const { return pixels.size(); }
-    double at(Component c, std::size_t i) const { return components[c][i]; }
-
-    void clear() {
-        for (auto& c : components) c.clear();
-        pixels.clear(), levelsLeft.clear(), media.clear();
+    void clear() { size_ = 0; }
+    void swap(RayQueue& other) {
+        std::swap(data_, other.data_), std::swap(capacity_, other.capacity_), std::swap(size_, other.size_);
     }
-    void push(const std::array<double, componentCount>& values, std::uint32_t pixel, int levels,
-              MediaIndex medium) {
-        for (std::size_t c = 0; c < componentCount; ++c) components[c].push_back(values[c]);
-        pixels.push_back(pixel), levelsLeft.push_back(levels), media.push_back(medium);
+
+    /// Room for `count` more rays, and a vector's width beyond that may be overwritten.
+    void reserve(std::size_t count) {
+        if (size_ + count + slack <= capacity_) return;
+        const std::size_t capacity =
+            std::max<std::size_t>(2 * capacity_, (size_ + count + slack + 63) / 64 * 64);
+        auto data = hwy::AllocateAligned<double>(capacity * componentCount);
+        if (!data) throw std::bad_alloc();
+        for (std::size_t c = 0; c < componentCount && size_ > 0; ++c)
+            std::copy_n(data_.get() + c * capacity_, size_, data.get() + c * capacity);
+        data_ = std::move(data), capacity_ = capacity;
     }
+    /// Where the next ray's component goes, after reserve().
+    double* end(Component c) { return data_.get() + c * capacity_ + size_; }
+    void grow(std::size_t count) { size_ += count; }
+
     void append(const RayQueue& other) {
-        for (std::size_t c = 0; c < componentCount; ++c)
-            components[c].insert(components[c].end(), other.components[c].begin(), other.components[c].end());
-        pixels.insert(pixels.end(), other.pixels.begin(), other.pixels.end());
-        levelsLeft.insert(levelsLeft.end(), other.levelsLeft.begin(), other.levelsLeft.end());
-        media.insert(media.end(), other.media.begin(), other.media.end());
+        if (other.size_ == 0) return;
+        reserve(other.size_);
+        for (int c = 0; c < componentCount; ++c)
+            std::copy_n(other.at(Component(c), 0), other.size_, end(Component(c)));
+        grow(other.size_);
     }
+    /// Repeats the last ray behind the end, so that whole vectors can be loaded there.
+    void pad(std::size_t count) {
+        reserve(count);
+        for (int c = 0; c < componentCount; ++c)
+            std::fill_n(end(Component(c)), count, *(end(Component(c)) - 1));
+    }
+
+private:
+    static constexpr std::size_t slack = 64;
+    hwy::AlignedFreeUniquePtr<double[]> data_;
+    std::size_t capacity_ = 0, size_ = 0;
 };
 
 } // namespace yarte::trace

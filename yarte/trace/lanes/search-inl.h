@@ -69,7 +69,7 @@ HWY_INLINE bool improve(const Shape& shape, double element, const RayPacket& ray
 }
 
 /// Nearest crossings of all lanes; element is noElement where there is none.
-HWY_INLINE void nearestHits(const World& world, const RayPacket& rays, HitPacket& best) {
+HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPacket& best) {
     for (std::size_t at = 0; at < lanes; at += half) {
         store(set(Bounds::infinity), best.t + at);
         store(set(noElement), best.element + at);
@@ -88,29 +88,37 @@ HWY_INLINE void nearestHits(const World& world, const RayPacket& rays, HitPacket
     traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
         bool improved = false;
         for (std::uint32_t i = 0; i < leaf.count; ++i) improved |= test(world.tree.order[leaf.first + i]);
-        if (improved)
-            for (std::size_t lane = 0; lane < lanes; ++lane) slab.setMax(lane, best.t[lane]);
+        if (improved) slab.setMax(best.t);
         return false;
     });
 }
 
-/// What is known of the light of each lane while its way is searched; flags as doubles.
+/// What is known of the light of each lane while its way is searched; flags and counts as doubles.
 struct alignas(64) ShadowPacket {
+    /// Worlds with more distinct ct than this have their dimmed lanes traced one by one.
+    static constexpr std::size_t maxLevels = 4;
+
     double distance[lanes];
     double blocked[lanes];
-    double dimmed[lanes]; ///< passes through something transmissive
+    double crossed[maxLevels]
+                  [lanes]; ///< surfaces of each ct of World::transmissions; those beyond count in the last
 };
 
 template <class Shape>
-HWY_INLINE void shade(const Shape& shape, double element, bool isOpaque, const RayPacket& rays,
-                      ShadowPacket& shadow) {
+HWY_INLINE void castShadow(const Shape& shape, double element, const BodyAppearance& body,
+                           const RayPacket& rays, ShadowPacket& shadow) {
+    const std::size_t level = std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
     for (std::size_t at = 0; at < lanes; at += half) {
         const CrossingLanes c = ahead(shape, rays, at, element);
         const V distance = load(shadow.distance + at);
-        const M crossed =
-            hn::Or(hn::And(c.enters, c.enter < distance), hn::And(c.leaves, c.leave < distance));
-        double* marks = isOpaque ? shadow.blocked + at : shadow.dimmed + at;
-        store(select(crossed, set(1), load(marks)), marks);
+        const M enters = hn::And(c.enters, c.enter < distance),
+                leaves = hn::And(c.leaves, c.leave < distance);
+        if (body.transmission == 0) {
+            store(select(hn::Or(enters, leaves), set(1), load(shadow.blocked + at)), shadow.blocked + at);
+        } else {
+            double* count = shadow.crossed[level] + at;
+            store(load(count) + flag(enters) + flag(leaves), count);
+        }
     }
 }
 
@@ -120,12 +128,12 @@ HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
     return !any(free);
 }
 
-/// Marks the lanes whose way to the light is blocked or dimmed. Lanes that start as blocked are not looked
-/// at.
-HWY_INLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow) {
+/// Marks the lanes whose way to the light is blocked, and counts what dims it. Lanes that start as blocked
+/// are not looked at.
+HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow) {
     const auto test = [&](ElementId id) HWY_ATTR {
-        const bool isOpaque = world.appearanceOf(id).transmission == 0;
-        world.visit(id, [&](const auto& shape) HWY_ATTR { shade(shape, id.index, isOpaque, rays, shadow); });
+        world.visit(id, [&](const auto& shape)
+                            HWY_ATTR { castShadow(shape, id.index, world.appearanceOf(id), rays, shadow); });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
@@ -135,12 +143,14 @@ HWY_INLINE void findShadows(const World& world, const RayPacket& rays, ShadowPac
         return;
     }
     alignas(64) double reach[lanes];
-    for (std::size_t i = 0; i < lanes; ++i) reach[i] = shadow.blocked[i] != 0 ? -1 : shadow.distance[i];
+    for (std::size_t at = 0; at < lanes; at += half)
+        store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
     SlabPacket slab(world.tree, rays, reach);
     traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
         for (std::uint32_t i = 0; i < leaf.count; ++i) test(world.tree.order[leaf.first + i]);
-        for (std::size_t i = 0; i < lanes; ++i)
-            if (shadow.blocked[i] != 0) slab.tMax[i] = -1;
+        for (std::size_t at = 0; at < lanes; at += half)
+            store(select(isSet(load(shadow.blocked + at)), set(-1), load(reach + at)), reach + at);
+        slab.setMax(reach);
         return allBlocked(shadow);
     });
 }

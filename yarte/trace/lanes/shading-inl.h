@@ -100,8 +100,8 @@ HWY_INLINE void describe(const Shape& shape, double element, const BodyAppearanc
 
 /// Fills `points` for the lanes that hit something: once per distinct element, which are few in a coherent
 /// packet.
-HWY_INLINE void describeHits(const World& world, const RayPacket& rays, const HitPacket& hits,
-                             PointPacket& points) {
+HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const HitPacket& hits,
+                               PointPacket& points) {
     for (std::size_t at = 0; at < lanes; at += half) {
         const V t = load(hits.t + at);
         const V3 p = rays.origin(at) + rays.direction(at) * t;
@@ -120,21 +120,32 @@ HWY_INLINE void describeHits(const World& world, const RayPacket& rays, const Hi
     }
 }
 
-/// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h.
-HWY_INLINE void arrivingLight(const World& world, const RayPacket& rays, ShadowPacket& shadow,
-                              double* arriving) {
+/// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,
+/// multiplied in the same order.
+HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, ShadowPacket& shadow,
+                                double* arriving) {
+    const std::size_t levels = std::min(world.transmissions.size(), ShadowPacket::maxLevels);
+    for (std::size_t level = 0; level < levels; ++level)
+        for (std::size_t at = 0; at < lanes; at += half) store(set(0), shadow.crossed[level] + at);
     findShadows(world, rays, shadow);
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        arriving[lane] = shadow.blocked[lane] != 0 ? 0 : 1;
-        if (arriving[lane] != 0 && shadow.dimmed[lane] != 0)
+    for (std::size_t at = 0; at < lanes; at += half) store(set(1) - load(shadow.blocked + at), arriving + at);
+    for (std::size_t level = 0; level < levels; ++level)
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const V factor = set(world.transmissions[level]);
+            for (V left = load(shadow.crossed[level] + at); any(left > set(0)); left = left - set(1))
+                store(select(left > set(0), load(arriving + at) * factor, load(arriving + at)),
+                      arriving + at);
+        }
+    if (world.transmissions.size() <= ShadowPacket::maxLevels) return;
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (shadow.blocked[lane] == 0 && shadow.crossed[ShadowPacket::maxLevels - 1][lane] > 0)
             arriving[lane] = transmittance(world, rays.ray(lane), shadow.distance[lane]);
-    }
 }
 
 /// localColour of yarte/trace/phong.h for the lanes with a hit; `mirrors` are the mirror directions of the
 /// rays.
-HWY_INLINE void localColours(const World& world, const HitPacket& hits, const PointPacket& points,
-                             const RayPacket& mirrors, ColourPacket& sums, std::uint64_t& shadowRays) {
+HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const PointPacket& points,
+                               const RayPacket& mirrors, ColourPacket& sums, std::uint64_t& shadowRays) {
     const V zero = set(0);
     for (std::size_t at = 0; at < lanes; at += half) sums.set(at, points.ambient.at(at));
     RayPacket toLight;
@@ -153,7 +164,7 @@ HWY_INLINE void localColours(const World& world, const HitPacket& hits, const Po
             store(load(hits.element + at), toLight.from + at);
             store(flag(load(hits.entering + at) == zero), toLight.inside + at);
             store(distance, shadow.distance + at);
-            store(flag(hn::Not(lit)), shadow.blocked + at), store(zero, shadow.dimmed + at);
+            store(flag(hn::Not(lit)), shadow.blocked + at);
             store(cosine, cosines + at);
             someLit = someLit || any(lit);
             shadowRays += hn::CountTrue(D(), lit);

@@ -20,27 +20,29 @@ struct alignas(64) SlabPacket {
     float tMax[lanes];   ///< from the moved origin, rounded up
     double moved[lanes]; ///< how far
 
-    SlabPacket(const Tree& tree, const RayPacket& rays, const double* distance) {
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const Vec3 o = Vec3{rays.ox[i], rays.oy[i], rays.oz[i]} - tree.centre;
-            const Vec3 d{rays.dx[i], rays.dy[i], rays.dz[i]};
-            moved[i] = std::max(0.0, -dot(o, d) - tree.radius);
-            const Vec3 start = o + moved[i] * d;
-            ox[i] = static_cast<float>(start.x), oy[i] = static_cast<float>(start.y),
-            oz[i] = static_cast<float>(start.z);
-            ix[i] = inverse(d.x), iy[i] = inverse(d.y), iz[i] = inverse(d.z);
-            setMax(i, distance[i]);
+    HWY_INLINE SlabPacket(const Tree& tree, const RayPacket& rays, const double* distance) {
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const V3 o = rays.origin(at) - spread(tree.centre), d = rays.direction(at);
+            const V ahead = greatest(set(0), hn::Neg(dot(o, d)) - set(tree.radius));
+            const V3 start = o + d * ahead;
+            store(ahead, moved + at);
+            demote(start.x, ox + at), demote(start.y, oy + at), demote(start.z, oz + at);
+            demote(inverse(d.x), ix + at), demote(inverse(d.y), iy + at), demote(inverse(d.z), iz + at);
         }
+        setMax(distance);
     }
-    void setMax(std::size_t lane, double t) {
-        tMax[lane] = static_cast<float>(t - moved[lane]) * (1 + 0x1p-22f);
+    HWY_INLINE void setMax(const double* t) {
+        for (std::size_t at = 0; at < lanes; at += half)
+            demote((load(t + at) - load(moved + at)) * set(1 + 0x1p-22), tMax + at);
     }
 
 private:
-    /// Of a component so small that a float cannot hold its inverse, the line stands still along that axis.
-    static float inverse(double d) {
-        return static_cast<float>(std::copysign(1 / std::max(std::abs(d), 1e-18), d));
+    HWY_INLINE static void demote(V v, float* to) {
+        const hn::Rebind<float, D> f;
+        hn::Store(hn::DemoteTo(f, v), f, to);
     }
+    /// Of a component so small that a float cannot hold its inverse, the line stands still along that axis.
+    HWY_INLINE static V inverse(V d) { return hn::CopySign(set(1) / greatest(hn::Abs(d), set(1e-18)), d); }
 };
 
 /// Where the lanes enter the box, or infinity in those that miss it; `hits` tells which do not.

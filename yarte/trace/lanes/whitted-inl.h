@@ -9,14 +9,13 @@
 
 #include "yarte/trace/lanes/ray_queue.h"
 #include "yarte/trace/lanes/shading-inl.h"
-#include "yarte/trace/whitted.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
 class WhittedLanes {
 public:
-    WhittedLanes(const World& world, RayCounts& counts) : world_(world), counts_(counts) {}
+    WhittedLanes(const World& world, RayCounts& counts) : world_(world), counts_(counts), media_(world) {}
 
     void render(Tile tile, Colour* pixels, std::size_t stride) {
         // Small enough for the queues of deep recursions to stay in the cache.
@@ -31,55 +30,72 @@ public:
 
 private:
     void renderBlock(Tile block, Colour* pixels, std::size_t stride) {
-        media_.assign(1, world_.cameraMedia);
         sums_.assign(static_cast<std::size_t>(block.width()) * static_cast<std::size_t>(block.height()),
                      Colour{});
         pushCameraRays(block);
         while (current_.size() > 0) {
-            for (std::size_t first = 0; first < current_.size(); first += lanes) tracePacket(first);
-            std::swap(current_, reflected_);
-            current_.append(transmitted_);
+            current_.pad(lanes);
             reflected_.clear(), transmitted_.clear();
+            for (std::size_t first = 0; first < current_.size(); first += lanes) tracePacket(first);
+            current_.swap(reflected_);
+            current_.append(transmitted_);
         }
         for (int y = 0; y < block.height(); ++y)
-            for (int x = 0; x < block.width(); ++x)
-                pixels[static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x)] =
-                    sums_[static_cast<std::size_t>(y * block.width() + x)];
+            std::copy_n(&sums_[static_cast<std::size_t>(y * block.width())], block.width(),
+                        pixels + static_cast<std::size_t>(y) * stride);
     }
 
     /// In small squares, so that the rays of a packet stay close together.
     void pushCameraRays(Tile block) {
         constexpr int square = 4;
         current_.clear();
+        current_.reserve(sums_.size());
+        double *u = current_.end(RayQueue::dx), *v = current_.end(RayQueue::dy),
+               *pixel = current_.end(RayQueue::pixel);
         for (int y0 = block.y0; y0 < block.y1; y0 += square)
             for (int x0 = block.x0; x0 < block.x1; x0 += square)
                 for (int y = y0; y < std::min(y0 + square, block.y1); ++y)
                     for (int x = x0; x < std::min(x0 + square, block.x1); ++x) {
-                        const auto [o, d, from] = world_.camera.through(x, y);
-                        const int pixel = (y - block.y0) * block.width() + (x - block.x0);
-                        current_.push({o.x, o.y, o.z, d.x, d.y, d.z, noElement, 0, 1},
-                                      static_cast<std::uint32_t>(pixel), world_.levels, 0);
+                        *u++ = x, *v++ = y;
+                        *pixel++ = (y - block.y0) * block.width() + (x - block.x0);
                     }
-        counts_.camera += current_.size();
+        for (std::size_t i = 0; i < sums_.size(); i += half) aimCameraRays(i);
+        current_.grow(sums_.size());
+        counts_.camera += sums_.size();
     }
 
-    /// Loads a packet; lanes beyond the queue's end repeat its last ray. Returns the number of real ones.
-    std::size_t loadPacket(std::size_t first, RayPacket& rays) const {
-        const std::size_t count = std::min(lanes, current_.size() - first);
+    /// CameraRays::through for a vector of pixels, whose x and y stand where the direction goes.
+    HWY_INLINE void aimCameraRays(std::size_t i) {
+        const auto put = [&](RayQueue::Component c, V value) HWY_ATTR { store(value, current_.end(c) + i); };
+        const CameraRays& camera = world_.camera;
+        const V u = (load(current_.end(RayQueue::dx) + i) + set(0.5)) / set(camera.width) - set(0.5);
+        const V v = set(0.5) - (load(current_.end(RayQueue::dy) + i) + set(0.5)) / set(camera.height);
+        const V3 d = normalised(spread(camera.forward) + spread(camera.right) * u + spread(camera.up) * v);
+        put(RayQueue::ox, set(camera.position.x)), put(RayQueue::oy, set(camera.position.y));
+        put(RayQueue::oz, set(camera.position.z));
+        put(RayQueue::dx, d.x), put(RayQueue::dy, d.y), put(RayQueue::dz, d.z);
+        put(RayQueue::from, set(noElement)), put(RayQueue::inside, set(0)), put(RayQueue::weight, set(1));
+        put(RayQueue::levels, set(world_.levels)), put(RayQueue::media, set(0));
+    }
+
+    HWY_INLINE V queued(RayQueue::Component c, std::size_t i) const {
+        return hn::LoadU(D(), current_.at(c, i));
+    }
+
+    HWY_INLINE void loadPacket(std::size_t first, RayPacket& rays) const {
         double* const to[] = {rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.from, rays.inside};
-        for (std::size_t c = 0; c < std::size(to); ++c) {
-            const double* from = current_.components[c].data() + first;
-            for (std::size_t i = 0; i < lanes; ++i) to[c][i] = from[std::min(i, count - 1)];
-        }
-        return count;
+        for (int c = 0; c <= RayQueue::inside; ++c)
+            for (std::size_t at = 0; at < lanes; at += half)
+                store(queued(RayQueue::Component(c), first + at), to[c] + at);
     }
 
     void tracePacket(std::size_t first) {
         RayPacket rays, mirrors;
         HitPacket hits;
-        PointPacket points{};
+        PointPacket points;
         ColourPacket colours;
-        const std::size_t count = loadPacket(first, rays);
+        const std::size_t count = std::min(lanes, current_.size() - first);
+        loadPacket(first, rays);
         nearestHits(world_, rays, hits);
         for (std::size_t i = count; i < lanes; ++i)
             hits.element[i] = noElement; // repeated lanes must not count
@@ -89,61 +105,90 @@ private:
             mirrors.setDirection(at, normalised(d - n * (set(2) * dot(d, n))));
         }
         localColours(world_, hits, points, mirrors, colours, counts_.shadow);
-        for (std::size_t i = 0; i < count; ++i) {
-            const bool isHit = hits.element[i] != noElement;
-            const Colour colour =
-                isHit ? Colour{colours.r[i], colours.g[i], colours.b[i]} : world_.background;
-            sums_[current_.pixels[first + i]] += current_.at(RayQueue::weight, first + i) * colour;
-            if (isHit && current_.levelsLeft[first + i] > 0)
-                pushSecondaries(first + i, i, rays, hits, points, mirrors);
+        addColours(first, count, hits, colours);
+        if (world_.levels == 0) return;
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const M goesOn = hn::And(load(hits.element + at) != set(noElement),
+                                     queued(RayQueue::levels, first + at) > set(0));
+            const M reflects = hn::And(goesOn, load(points.reflection + at) > set(0));
+            if (any(reflects)) pushReflected(first + at, at, reflects, hits, points, mirrors);
+            const M transmits = hn::And(goesOn, load(points.transmission + at) > set(0));
+            if (any(transmits)) pushTransmitted(first + at, at, transmits, rays, hits, points, mirrors);
         }
     }
 
-    void pushSecondaries(std::size_t index, std::size_t lane, const RayPacket& rays, const HitPacket& hits,
-                         const PointPacket& points, const RayPacket& mirrors) {
-        const double weight = current_.at(RayQueue::weight, index);
-        const double viewerInside = hits.entering[lane] != 0 ? 0 : 1;
-        if (points.reflection[lane] > 0) {
-            ++counts_.reflected;
-            reflected_.push({points.px[lane], points.py[lane], points.pz[lane], mirrors.dx[lane],
-                             mirrors.dy[lane], mirrors.dz[lane], hits.element[lane], viewerInside,
-                             weight * points.reflection[lane]},
-                            current_.pixels[index], current_.levelsLeft[index] - 1, current_.media[index]);
+    void addColours(std::size_t first, std::size_t count, const HitPacket& hits, ColourPacket& colours) {
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const M isHit = load(hits.element + at) != set(noElement);
+            const C3 colour = select(isHit, colours.at(at), spread(world_.background));
+            colours.set(at, colour * queued(RayQueue::weight, first + at));
         }
-        if (points.transmission[lane] > 0) pushTransmitted(index, lane, rays, hits, points, mirrors);
+        for (std::size_t i = 0; i < count; ++i)
+            sums_[static_cast<std::size_t>(*current_.at(RayQueue::pixel, first + i))] +=
+                Colour{colours.r[i], colours.g[i], colours.b[i]};
     }
 
-    void pushTransmitted(std::size_t index, std::size_t lane, const RayPacket& rays, const HitPacket& hits,
-                         const PointPacket& points, const RayPacket& mirrors) {
-        const Vec3 direction{rays.dx[lane], rays.dy[lane], rays.dz[lane]};
-        const Vec3 normal{points.nx[lane], points.ny[lane], points.nz[lane]};
-        const Vec3 mirror{mirrors.dx[lane], mirrors.dy[lane], mirrors.dz[lane]};
-        const ElementId element{static_cast<std::uint32_t>(hits.element[lane])};
-        const Side viewer = hits.entering[lane] != 0 ? Side::outside : Side::inside;
-        Transmission next = transmit(world_, media_[current_.media[index]], world_.bodyOf(element), direction,
-                                     normal, mirror, viewer);
-        MediaIndex medium = current_.media[index];
-        if (next.isReflected) {
-            ++counts_.reflected;
-        } else {
-            ++counts_.transmitted;
-            medium = static_cast<MediaIndex>(media_.size());
-            media_.push_back(std::move(next.media));
+    /// Appends the lanes of `mask` to `queue`; what stays as it was comes from the queue of this generation.
+    HWY_INLINE void push(RayQueue& queue, M mask, std::size_t index, V3 origin, V3 direction, V from,
+                         V inside, V weight, V levels, V media) {
+        queue.reserve(half);
+        const auto put = [&](RayQueue::Component c, V value)
+                             HWY_ATTR { hn::CompressBlendedStore(value, mask, D(), queue.end(c)); };
+        put(RayQueue::ox, origin.x), put(RayQueue::oy, origin.y), put(RayQueue::oz, origin.z);
+        put(RayQueue::dx, direction.x), put(RayQueue::dy, direction.y), put(RayQueue::dz, direction.z);
+        put(RayQueue::from, from), put(RayQueue::inside, inside), put(RayQueue::weight, weight);
+        put(RayQueue::pixel, queued(RayQueue::pixel, index)), put(RayQueue::levels, levels);
+        put(RayQueue::media, media);
+        queue.grow(hn::CountTrue(D(), mask));
+    }
+
+    HWY_INLINE void pushReflected(std::size_t index, std::size_t at, M mask, const HitPacket& hits,
+                                  const PointPacket& points, const RayPacket& mirrors) {
+        counts_.reflected += hn::CountTrue(D(), mask);
+        const V viewerInside = flag(load(hits.entering + at) == set(0));
+        push(reflected_, mask, index, points.position(at), mirrors.direction(at), load(hits.element + at),
+             viewerInside, queued(RayQueue::weight, index) * load(points.reflection + at),
+             queued(RayQueue::levels, index) - set(1), queued(RayQueue::media, index));
+    }
+
+    /// `transmit` of yarte/trace/media.h, lane by lane the same bits.
+    HWY_INLINE void pushTransmitted(std::size_t index, std::size_t at, M mask, const RayPacket& rays,
+                                    const HitPacket& hits, const PointPacket& points,
+                                    const RayPacket& mirrors) {
+        alignas(64) double lanesOn[half], ratios[half], continued[half], after[half];
+        store(flag(mask), lanesOn);
+        for (std::size_t i = 0; i < half; ++i) {
+            ratios[i] = 1, continued[i] = 0, after[i] = 0;
+            if (lanesOn[i] == 0) continue;
+            const ElementId element{static_cast<std::uint32_t>(hits.element[at + i])};
+            const auto before = static_cast<MediaIndex>(*current_.at(RayQueue::media, index + i));
+            const MediaPool::Transition& transition = media_.pass(before, world_.bodyOf(element));
+            ratios[i] = transition.ratio, continued[i] = transition.isContinued, after[i] = transition.after;
         }
-        transmitted_.push(
-            {points.px[lane], points.py[lane], points.pz[lane], next.direction.x, next.direction.y,
-             next.direction.z, hits.element[lane], next.side == Side::inside ? 1.0 : 0.0,
-             current_.at(RayQueue::weight, index) * points.transmission[lane]},
-            current_.pixels[index], current_.levelsLeft[index] - (next.isContinued ? 0 : 1), medium);
+        const V zero = set(0), one = set(1), ratio = load(ratios);
+        const V3 d = rays.direction(at), n = points.normal(at);
+        const V cosine = hn::Neg(dot(d, n));
+        const V k = one - ratio * ratio * (one - cosine * cosine);
+        const M straight = isSet(load(continued)), mirrored = hn::AndNot(straight, k < zero);
+        const V3 refracted = normalised(d * ratio + n * (ratio * cosine - hn::Sqrt(greatest(k, zero))));
+        const V3 direction = select(straight, d, select(mirrored, mirrors.direction(at), refracted));
+        const V viewerInside = flag(load(hits.entering + at) == zero);
+        const std::size_t reflectedCount = hn::CountTrue(D(), hn::And(mask, mirrored));
+        counts_.reflected += reflectedCount;
+        counts_.transmitted += hn::CountTrue(D(), mask) - reflectedCount;
+        push(transmitted_, mask, index, points.position(at), direction, load(hits.element + at),
+             select(mirrored, viewerInside, one - viewerInside),
+             queued(RayQueue::weight, index) * load(points.transmission + at),
+             queued(RayQueue::levels, index) - select(straight, zero, one),
+             select(mirrored, queued(RayQueue::media, index), load(after)));
     }
 
     const World& world_;
     RayCounts& counts_;
+    MediaPool media_;
     std::vector<Colour> sums_; ///< of the block's pixels
-    std::vector<MediaStack> media_;
     RayQueue current_, reflected_, transmitted_;
 };
-
 } // namespace yarte::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
