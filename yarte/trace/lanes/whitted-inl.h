@@ -132,8 +132,10 @@ private:
     HWY_INLINE void push(RayQueue& queue, M mask, std::size_t index, V3 origin, V3 direction, V from,
                          V inside, V weight, V levels, V media) {
         queue.reserve(half);
-        const auto put = [&](RayQueue::Component c, V value)
-                             HWY_ATTR { hn::CompressBlendedStore(value, mask, D(), queue.end(c)); };
+        const auto put = [&](RayQueue::Component c, V value) HWY_ATTR {
+            // In two steps: stores that compress are microcoded on some machines.
+            hn::StoreU(hn::Compress(value, mask), D(), queue.end(c));
+        };
         put(RayQueue::ox, origin.x), put(RayQueue::oy, origin.y), put(RayQueue::oz, origin.z);
         put(RayQueue::dx, direction.x), put(RayQueue::dy, direction.y), put(RayQueue::dz, direction.z);
         put(RayQueue::from, from), put(RayQueue::inside, inside), put(RayQueue::weight, weight);
