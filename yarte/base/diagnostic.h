@@ -3,7 +3,6 @@
 
 #include "yarte/base/source.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +10,8 @@
 namespace yarte {
 
 enum class Severity { note, warning, error };
+
+std::string_view severityName(Severity);
 
 /// A second place that explains a diagnostic ("first given here").
 struct DiagnosticNote {
@@ -27,7 +28,7 @@ struct Diagnostic {
     std::vector<DiagnosticNote> notes;
 };
 
-/// The diagnostics of one run. Keeps at most `maxErrors` errors; readers stop when `full()`.
+/// The diagnostics of one run. Keeps the first `maxErrors` errors; readers stop when `full()`.
 class Diagnostics {
 public:
     static constexpr int maxErrors = 20;
@@ -36,13 +37,15 @@ public:
     Diagnostic& warning(std::string_view code, std::string message, Span span = {});
 
     bool hasErrors() const { return errorCount_ > 0; }
-    bool full() const { return errorCount_ >= maxErrors; }
+    /// An error more than are kept has been found: further reading would tell nothing.
+    bool full() const { return errorCount_ > maxErrors; }
     const std::vector<Diagnostic>& all() const { return diagnostics_; }
 
 private:
     Diagnostic& add(Severity severity, std::string_view code, std::string message, Span span);
 
     std::vector<Diagnostic> diagnostics_;
+    Diagnostic notKept_; ///< takes what comes after the last error that is kept
     int errorCount_ = 0;
 };
 
@@ -54,7 +57,9 @@ enum class DiagnosticStyle { plain, coloured, json };
 ///         sphere 0 0 0 -2
 ///                      ^~
 ///
-/// or, in JSON, one object per line: severity, code, message, file, line, column, endLine, endColumn, notes.
+/// or, in JSON, one object per line: severity, code, message, file, line, column, endLine, endColumn (one
+/// past the last), notes. Lines and columns are left out where there is no text to point into. What a
+/// terminal or JSON could not take (control characters, invalid UTF-8) is replaced.
 std::string format(const Diagnostics&, const Sources&, DiagnosticStyle);
 
 } // namespace yarte

@@ -1,32 +1,37 @@
 #include "yarte/base/number.h"
 
 #include <charconv>
-#include <cmath>
+#include <limits>
 
 namespace yarte {
 namespace {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
-/// std::from_chars reports "too large" and "too small" alike; the sign of the decimal exponent tells them apart.
+/// std::from_chars reports "too large" and "too small" alike; the sign of the decimal exponent tells them
+/// apart.
 bool isBelowOne(std::string_view text) {
     long exponentOfFirstDigit = 0; // of the first non-zero digit, before the written exponent
     bool seenPoint = false, seenDigit = false;
     std::size_t i = 0;
     for (; i < text.size() && (isDigit(text[i]) || text[i] == '.'); ++i) {
-        if (text[i] == '.') seenPoint = true;
-        else if (seenDigit) exponentOfFirstDigit += seenPoint ? 0 : 1;
-        else if (text[i] != '0') seenDigit = true, exponentOfFirstDigit -= seenPoint ? 1 : 0;
-        else exponentOfFirstDigit -= seenPoint ? 1 : 0;
+        if (text[i] == '.')
+            seenPoint = true;
+        else if (seenDigit)
+            exponentOfFirstDigit += seenPoint ? 0 : 1;
+        else if (text[i] != '0')
+            seenDigit = true, exponentOfFirstDigit -= seenPoint ? 1 : 0;
+        else
+            exponentOfFirstDigit -= seenPoint ? 1 : 0;
     }
     if (!seenDigit) return true;
-    if (i < text.size()) { // the exponent; one too long for `long` decides by its sign alone
+    if (i < text.size()) { // the exponent; one beyond any text's length decides by its sign alone
         const bool negative = i + 1 < text.size() && text[i + 1] == '-';
         std::string_view digits = text.substr(i + 1);
         if (!digits.empty() && (digits[0] == '+' || digits[0] == '-')) digits.remove_prefix(1);
         long exponent = 0;
-        if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc{})
-            return negative;
+        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+        if (error != std::errc{} || exponent > std::numeric_limits<long>::max() / 2) return negative;
         exponentOfFirstDigit += negative ? -exponent : exponent;
     }
     return exponentOfFirstDigit < 0;

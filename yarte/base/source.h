@@ -31,6 +31,7 @@ struct LineColumn {
 
 class Source {
 public:
+    /// A UTF-8 byte order mark is dropped: it is no part of the text.
     Source(std::string name, std::string text);
 
     const std::string& name() const { return name_; }

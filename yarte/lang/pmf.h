@@ -1,4 +1,5 @@
-// .pmf: polygonal mesh files (the paper, section 1; SCENE-LANGUAGE decision D8; optional vertex normals are our extension).
+// .pmf: polygonal mesh files (the paper, section 1; SCENE-LANGUAGE decision D8; optional vertex normals are
+// our extension).
 #pragma once
 
 #include "yarte/base/diagnostic.h"
@@ -16,7 +17,8 @@ namespace yarte {
 std::optional<MeshData> parsePmf(SourceId text, const Sources&, Diagnostics&);
 
 /// A mesh file; fits MeshFormat::read. A missing or unreadable file is a diagnostic.
-std::optional<MeshData> readPmf(const std::filesystem::path& file, const ReadableFolders&, Sources&, Diagnostics&);
+std::optional<MeshData> readPmf(const std::filesystem::path& file, const ReadableFolders&, Sources&,
+                                Diagnostics&);
 
 /// Text that parsePmf reads back to the same mesh, bit for bit.
 std::string printPmf(const MeshData&);

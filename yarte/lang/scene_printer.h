@@ -1,4 +1,5 @@
-// Canonical text of a scene: printing, reading and printing again gives the same bytes, and the same Scene to the last bit.
+// Canonical text of a scene: printing, reading and printing again gives the same bytes, and the same Scene to
+// the last bit.
 #pragma once
 
 #include "yarte/scene/scene.h"
@@ -7,7 +8,8 @@
 
 namespace yarte {
 
-/// Settings first, then lights, then bodies, each under its material; numbers as printNumber. Mesh files are named by MeshData::path.
+/// Settings first, then lights, then bodies, each under its material; numbers as printNumber. Mesh files are
+/// named by MeshData::path.
 std::string printScene(const Scene&);
 
 } // namespace yarte

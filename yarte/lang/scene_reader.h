@@ -1,4 +1,5 @@
-// Reading a scene: text to Scene, with every error of the file in one run. The grammar is in yarte/LANGUAGE.md.
+// Reading a scene: text to Scene, with every error of the file in one run. The grammar is in
+// yarte/LANGUAGE.md.
 #pragma once
 
 #include "yarte/base/diagnostic.h"
@@ -13,10 +14,12 @@
 
 namespace yarte {
 
-/// A format that the `mesh` directive can read. main passes the table, so that this library knows none but .pmf.
+/// A format that the `mesh` directive can read. main passes the table, so that this library knows none but
+/// .pmf.
 struct MeshFormat {
     std::string_view extension; ///< with the dot, lower case
-    /// The content of `file`, or nothing after reporting why. `file` is already known to be readable by the scene.
+    /// The content of `file`, or nothing after reporting why. `file` is already known to be readable by the
+    /// scene.
     std::optional<MeshData> (*read)(const std::filesystem::path& file, const ReadableFolders&, Sources&,
                                     Diagnostics&);
 };
@@ -27,12 +30,14 @@ struct SceneReading {
     std::span<const MeshFormat> meshes; ///< formats of the `mesh` directive
 };
 
-/// Reads and checks a scene file. Nothing is returned if there was an error (warnings are in `diagnostics` all the same).
-/// Throws FileError if the scene file itself cannot be read; a mesh that cannot be read is a diagnostic.
-std::optional<Scene> readScene(const std::filesystem::path& file, const SceneReading&, Sources&, Diagnostics&);
+/// Reads and checks a scene file. Nothing is returned if there was an error (warnings are in `diagnostics`
+/// all the same). Throws FileError if the scene file itself cannot be read; a mesh that cannot be read is a
+/// diagnostic.
+std::optional<Scene> readScene(const std::filesystem::path& file, const SceneReading&, Sources&,
+                               Diagnostics&);
 
 /// The same for a text; `folder` is where its mesh paths start.
-std::optional<Scene> parseScene(SourceId text, const std::filesystem::path& folder, const SceneReading&, Sources&,
-                                Diagnostics&);
+std::optional<Scene> parseScene(SourceId text, const std::filesystem::path& folder, const SceneReading&,
+                                Sources&, Diagnostics&);
 
 } // namespace yarte

@@ -4,7 +4,6 @@
 
 #include "yarte/scene/scene.h"
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,27 +12,34 @@ namespace yarte {
 
 struct Problem {
     std::string_view code; ///< as Diagnostic::code
-    std::string message;
-    int argument =
-        -1; ///< index of the scene-language argument at fault (from 0); -1: the directive as a whole
+    std::string message;   ///< the rule and the value got
+    /// Index (from 0) of the scene language's argument at fault, a mesh's file name not counted; -1: the
+    /// directive as a whole.
+    int argument = -1;
     int argumentCount = 1; ///< how many arguments, from `argument` on, are meant
 };
 
 using Problems = std::vector<Problem>;
 
+inline constexpr int maxSide = 1 << 20;       ///< pixels; whether memory suffices is another question
+inline constexpr int maxRecursionLimit = 255; ///< POV-Ray has 256 levels, the primary ray's included
+/// Sine of the least angle between up vector and view direction: below it, rounding decides what is up.
+inline constexpr double minUpSine = 1e-9;
+
 Problems check(const Resolution&);
-Problems check(const Light&);
+Problems check(const Light&); ///< arguments 3 to 5 are the brightness, also where the text gives it as one
 Problems check(const Material&);
 Problems check(const BackColours&);
 Problems check(const Referential&);
 Problems check(const Shape&);
-Problems check(const MeshData&); ///< `argument` is the index of the face at fault
+/// `argument` is the index of the face at fault. Tells about the first few faces only. `faceStarts` must be
+/// in order and end at the number of corners, `cornerNormals` be empty or as long as `corners`.
+Problems check(const MeshData&);
 /// Rules between the camera's parts (position, focus, up): argument 0, 1, 2 names the part.
 Problems check(const Camera&);
-
-/// Polygon and mesh face: distance of the farthest vertex from the plane (D9), relative to the face's size;
-/// nothing for fewer than three vertices or no area.
-std::optional<double> planarityError(const std::vector<Vec3>& vertices);
-inline constexpr double maxPlanarityError = 1e-3;
+Problems checkApertures(double horizontalDegrees, double verticalDegrees);
+Problems checkBackground(Colour);
+Problems checkRecursion(int levels);
+Problems checkGamma(double);
 
 } // namespace yarte
