@@ -1,0 +1,25 @@
+// TileList: the rectangles that cover a region of the image, row by row.
+#pragma once
+
+#include "yarte/trace/render_tile.h"
+
+#include <cstddef>
+
+namespace yarte {
+
+class TileList {
+public:
+    /// Squares of `side` pixels, smaller ones at the right and lower edges. The region is not empty, side
+    /// >= 1.
+    TileList(Tile region, int side);
+
+    std::size_t size() const { return columns_ * rows_; }
+    Tile operator[](std::size_t index) const;
+
+private:
+    Tile region_;
+    int side_;
+    std::size_t columns_, rows_;
+};
+
+} // namespace yarte

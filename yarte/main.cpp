@@ -1,0 +1,231 @@
+// yarte: renders a scene. The only file of the program that prints, reads the environment or decides the exit
+// code.
+#include "yarte/base/diagnostic.h"
+#include "yarte/base/file.h"
+#include "yarte/engine/memory_limit.h"
+#include "yarte/engine/render.h"
+#include "yarte/interrupt.h"
+#include "yarte/lang/pmf.h"
+#include "yarte/lang/scene_reader.h"
+#include "yarte/options.h"
+#include "yarte/outputs.h"
+#include "yarte/progress.h"
+#include "yarte/stats.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <unistd.h>
+
+namespace yarte {
+namespace {
+
+enum ExitCode { good = 0, refused = 1, wrongUsage = 2, couldNotRun = 3 };
+
+constexpr std::array meshFormats{MeshFormat{".pmf", readPmf}};
+
+void print(std::FILE* stream, std::string_view text) {
+    std::fwrite(text.data(), 1, text.size(), stream);
+    std::fflush(stream);
+}
+
+class Stopwatch {
+public:
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+/// What `action` gives; a FileError of its says what could not be done.
+template <class Action>
+auto orCannot(std::string_view verb, Action action) {
+    try {
+        return action();
+    } catch (const FileError& error) {
+        throw std::runtime_error(fmt::format("cannot {} {}", verb, error.what()));
+    }
+}
+
+/// Progress on standard error, ten times a second.
+class ProgressPrinter {
+public:
+    explicit ProgressPrinter(ProgressStyle style) : style_(style) {
+        if (style == ProgressStyle::automatic)
+            style_ = isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::none;
+    }
+    ~ProgressPrinter() {
+        if (style_ == ProgressStyle::bar) print(stderr, noProgressBar);
+    }
+
+    void update(RenderProgress progress) {
+        const double now = watch_.seconds();
+        if (printedDone_ == progress.total || (now - printedAt_ < 0.1 && progress.done < progress.total))
+            return;
+        printedAt_ = now;
+        printedDone_ = progress.done;
+        if (style_ == ProgressStyle::bar) print(stderr, progressBar(progress, now));
+        if (style_ == ProgressStyle::json) print(stderr, progressJson(progress, now));
+    }
+
+private:
+    ProgressStyle style_;
+    Stopwatch watch_;
+    double printedAt_ = 0;
+    std::size_t printedDone_ = 0; ///< the end is printed once
+};
+
+/// One run: scene, world, picture, files.
+class Run {
+public:
+    explicit Run(Options options) : options_(std::move(options)) {
+        const char* const noColour = std::getenv("NO_COLOR");
+        if (options_.jsonDiagnostics)
+            style_ = DiagnosticStyle::json;
+        else if (isatty(STDERR_FILENO) && !(noColour && *noColour))
+            style_ = DiagnosticStyle::coloured;
+    }
+
+    int operator()();
+    /// Says why the run ends, and returns `code`.
+    int fail(int code, std::string message) const;
+
+private:
+    std::optional<Scene> read();
+    std::optional<Rendering> trace(const Scene&, Resolution, Tile region);
+    void write(const Rendering&, double gamma);
+
+    Options options_;
+    DiagnosticStyle style_ = DiagnosticStyle::plain;
+    Stopwatch watch_;
+    Stats stats_;
+};
+
+int Run::fail(int code, std::string message) const {
+    if (style_ != DiagnosticStyle::json) {
+        print(stderr, fmt::format("yarte: {}\n", message));
+    } else {
+        Diagnostics diagnostics;
+        diagnostics.error(code == wrongUsage ? "yarte.wrong-usage" : "yarte.could-not-run",
+                          std::move(message));
+        print(stderr, format(diagnostics, Sources(), style_));
+    }
+    return code;
+}
+
+std::optional<Scene> Run::read() {
+    const Stopwatch watch;
+    Sources sources;
+    Diagnostics diagnostics;
+    const SceneReading reading{{options_.allowedFolders}, meshFormats};
+    auto scene = orCannot("open", [&] { return readScene(options_.scene, reading, sources, diagnostics); });
+    print(stderr, format(diagnostics, sources, style_));
+    stats_.parseSeconds = watch.seconds();
+    return scene;
+}
+
+std::optional<Rendering> Run::trace(const Scene& scene, Resolution resolution, Tile region) {
+    const Stopwatch build;
+    const WorldPtr world = buildWorld(scene, resolution);
+    stats_.buildSeconds = build.seconds();
+
+    const Stopwatch watch;
+    ProgressPrinter printer(options_.progress);
+    auto rendering = render(
+        {region, options_.tileSide, options_.mode, options_.workers},
+        [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {
+            renderTile(*world, tile, pixels, stride, rays);
+        },
+        [&](RenderProgress progress) {
+            printer.update(progress);
+            return !DeferredInterrupts::pending();
+        });
+    stats_.traceSeconds = watch.seconds();
+    return rendering;
+}
+
+void Run::write(const Rendering& rendering, double gamma) {
+    const Stopwatch watch;
+    ImageEncoding encoding = options_.encoding;
+    encoding.gamma = gamma;
+    for (const std::filesystem::path& output : options_.outputs) {
+        if (DeferredInterrupts::pending()) return;
+        const std::string bytes = encodeImage(*imageFormat(output), rendering.framebuffer.view(), encoding);
+        orCannot("write", [&] { writeFile(output, bytes); });
+    }
+    stats_.writeSeconds = watch.seconds();
+}
+
+int Run::operator()() {
+    orCannot("write", [&] {
+        for (const std::filesystem::path& output : options_.outputs) requireWritable(output);
+        if (options_.stats) requireWritable(*options_.stats);
+    });
+    if (const auto why = overwritesScene(options_)) return fail(wrongUsage, *why);
+
+    const std::optional<Scene> scene = read();
+    if (!scene) return refused;
+    const Resolution resolution = options_.size.value_or(scene->resolution);
+    const Tile region = options_.region.value_or(Tile{0, 0, resolution.width, resolution.height});
+    if (region.x1 > resolution.width || region.y1 > resolution.height)
+        return fail(wrongUsage,
+                    fmt::format("--region: {},{},{},{} is not within the image of {}x{} pixels", region.x0,
+                                region.y0, region.x1, region.y1, resolution.width, resolution.height));
+    if (const auto why = tooLargeForOutput(options_, region.width(), region.height()))
+        return fail(wrongUsage, *why);
+    if (const auto why = imageTooLarge(region.width(), region.height(), memoryLimit()))
+        return fail(couldNotRun, *why);
+
+    const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
+    const std::optional<Rendering> rendering = trace(*scene, resolution, region);
+    if (rendering) write(*rendering, scene->gamma);
+    if (const int signal = DeferredInterrupts::pending())
+        return fail(interruptExitCode(signal), "interrupted");
+
+    if (options_.stats) {
+        stats_.scene = options_.scene.string();
+        stats_.width = region.width();
+        stats_.height = region.height();
+        stats_.mode = options_.mode;
+        stats_.workers = rendering->workers;
+        stats_.rays = rendering->rays;
+        stats_.peakRssBytes = peakRssBytes();
+        stats_.wallSeconds = watch_.seconds();
+        orCannot("write", [&] { writeFile(*options_.stats, toJson(stats_)); });
+    }
+    return good;
+}
+
+int runProgram(int argc, char** argv) {
+    installInterruptHandlers();
+    ParsedOptions parsed = parseOptions(argc, argv);
+    if (!parsed.options) {
+        print(parsed.exitCode == good ? stdout : stderr, parsed.text);
+        return parsed.exitCode;
+    }
+    Run run(std::move(*parsed.options));
+    try {
+        return run();
+    } catch (const std::bad_alloc&) {
+        return run.fail(couldNotRun, "not enough memory");
+    } catch (const std::exception& error) {
+        return run.fail(couldNotRun, error.what());
+    }
+}
+
+} // namespace
+} // namespace yarte
+
+int main(int argc, char** argv) { return yarte::runProgram(argc, argv); }

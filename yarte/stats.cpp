@@ -1,0 +1,60 @@
+#include "yarte/stats.h"
+
+#include "yarte/base/json.h"
+#include "yarte/version.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include <sys/resource.h>
+
+namespace yarte {
+
+namespace {
+
+std::string_view modeName(RenderMode mode) {
+    switch (mode) {
+    case RenderMode::serial: return "serial";
+    case RenderMode::processes: return "processes";
+    case RenderMode::threads: return "threads";
+    }
+    return "";
+}
+
+} // namespace
+
+std::uint64_t peakRssBytes() {
+    rusage self{}, children{};
+    getrusage(RUSAGE_SELF, &self);
+    getrusage(RUSAGE_CHILDREN, &children);
+    return static_cast<std::uint64_t>(std::max(self.ru_maxrss, children.ru_maxrss)) *
+           1024; // Linux counts KiB
+}
+
+std::string toJson(const Stats& s) {
+    std::string json = "{\n";
+    const auto add = [&json](std::string_view key, const std::string& value) {
+        json += fmt::format("  \"{}\": {},\n", key, value);
+    };
+    const auto seconds = [](double value) { return fmt::format("{:.6f}", value); };
+    add("version", jsonString(version));
+    add("scene", jsonString(s.scene));
+    add("width", fmt::to_string(s.width));
+    add("height", fmt::to_string(s.height));
+    add("mode", jsonString(modeName(s.mode)));
+    add("workers", fmt::to_string(s.workers));
+    add("parse_s", seconds(s.parseSeconds));
+    add("build_s", seconds(s.buildSeconds));
+    add("trace_s", seconds(s.traceSeconds));
+    add("write_s", seconds(s.writeSeconds));
+    add("wall_s", seconds(s.wallSeconds));
+    add("peak_rss_bytes", fmt::to_string(s.peakRssBytes));
+    return json + fmt::format(
+                      "  \"rays\": {{\"camera\": {}, \"shadow\": {}, \"reflected\": {}, \"transmitted\": {}}}"
+                      "\n}}\n",
+                      s.rays.camera, s.rays.shadow, s.rays.reflected, s.rays.transmitted);
+}
+
+} // namespace yarte
