@@ -1,0 +1,77 @@
+#include "validate/image_file.h"
+
+#include "tests/validate/support.h"
+#include "validate/srgb.h"
+
+#include <cstring>
+#include <gmock/gmock.h>
+
+namespace yarte::validate {
+namespace {
+
+using test::scratchFolder;
+
+std::string floatBytes(std::initializer_list<float> values) {
+    std::string bytes(values.size() * sizeof(float), '\0');
+    std::memcpy(bytes.data(), values.begin(), bytes.size());
+    return bytes;
+}
+
+TEST(ImageFile, PfmIsFloatingPointWithTheLowestRowFirst) {
+    const auto file = scratchFolder() / "p.pfm";
+    writeFile(file, "PF\n1 2\n-1.0\n" + floatBytes({1.5f, -0.25f, 1e-8f, 3, 4, 5}));
+    const Picture picture = readPicture(file, Encoding::srgb); // floats are linear all the same
+    EXPECT_EQ(picture.width, 1);
+    EXPECT_EQ(picture.height, 2);
+    EXPECT_EQ(picture.pixels, (std::vector<Colour>{{3, 4, 5}, {1.5f, -0.25f, 1e-8f}}));
+}
+
+TEST(ImageFile, PngsComeBackExactly) {
+    const auto file = scratchFolder() / "p.png";
+    DisplayPicture display{256, 1, {}};
+    for (int v = 0; v < 256; ++v)
+        for (const int channel : {v, 255 - v, 7}) display.rgb.push_back(static_cast<std::uint8_t>(channel));
+    writeFile(file, encodePng(display));
+    const Picture linear = readPicture(file), decoded = readPicture(file, Encoding::srgb);
+    for (int v = 0; v < 256; ++v) {
+        const auto i = static_cast<std::size_t>(v);
+        ASSERT_EQ(linear.pixels[i], (Colour{v / 255.0, (255 - v) / 255.0, 7 / 255.0}));
+        ASSERT_EQ(decoded.pixels[i].r, linearFromSrgb(v / 255.0));
+    }
+}
+
+TEST(ImageFile, ThePngOfAPictureIsItsSrgbEncoding) {
+    // 0.5 linear is 0.735357 in sRGB: 187.5 of 255.
+    const DisplayPicture shown = displayPicture(Picture{1, 2, {{0.5, 0, 1}, {-1, 2, 0.0031308}}}.view());
+    EXPECT_THAT(shown.rgb, testing::ElementsAre(188, 0, 255, 0, 255, 10));
+}
+
+TEST(ImageFile, DifferencesAreGreyUpToTheThresholdAndColouredAbove) {
+    const Picture black = test::constantPicture(4, 1, {});
+    const double threshold = 1.0 / 4096;
+    const Picture other{4, 1, {{}, {0, 1.0 / 4096, 0}, {0, 0, 1}, {1.0 / 131072, 0, 0}}};
+    const auto rgb = differencePicture(other.view(), black.view(), threshold).rgb;
+    // 1/4096 lies 5 of 17 doublings above 2^-17.
+    EXPECT_THAT(rgb, testing::ElementsAre(0, 0, 0, 75, 75, 75, 255, 255, 26, 0, 0, 0));
+}
+
+TEST(ImageFile, WhatCannotBeReadIsNamed) {
+    const auto folder = scratchFolder();
+    writeFile(folder / "text.png", "not a picture");
+    writeFile(folder / "short.ppm", "P6\n2 2\n255\n123");
+    for (const char* name : {"missing.png", "text.png", "short.ppm", "."}) {
+        try {
+            readPicture(folder / name);
+            ADD_FAILURE() << name << " was read";
+        } catch (const ImageError& error) {
+            EXPECT_THAT(error.what(), testing::StartsWith((folder / name).string() + ": "));
+        }
+    }
+}
+
+TEST(Srgb, DecodingUndoesEncoding) {
+    for (int i = 0; i <= 1000; ++i) ASSERT_NEAR(linearFromSrgb(srgbFromLinear(i / 1000.0)), i / 1000.0, 1e-6);
+}
+
+} // namespace
+} // namespace yarte::validate

@@ -1,0 +1,100 @@
+#include "validate/image_file.h"
+
+#include "validate/pnm.h"
+#include "validate/srgb.h"
+#include "yarte/base/file.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+#include <algorithm>
+#include <fmt/format.h>
+#include <new>
+
+namespace yarte::validate {
+
+namespace {
+
+/// A picture as its file stores it.
+struct Stored {
+    Picture picture;
+    bool integers = false;
+};
+
+Colour decoded(Colour colour) {
+    return {linearFromSrgb(colour.r), linearFromSrgb(colour.g), linearFromSrgb(colour.b)};
+}
+
+/// All channels of all pixels as numbers of the type T.
+template <class T>
+std::vector<T> readChannels(OIIO::ImageInput& input, OIIO::TypeDesc type) {
+    const OIIO::ImageSpec& spec = input.spec();
+    std::vector<T> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
+    if (!input.read_image(0, 0, 0, spec.nchannels, type, values.data())) throw ImageError(input.geterror());
+    return values;
+}
+
+/// The first three channels, or the first one three times.
+template <class T>
+Picture toPicture(const OIIO::ImageSpec& spec, const std::vector<T>& values, double white) {
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    const std::size_t green = channels < 3 ? 0 : 1, blue = channels < 3 ? 0 : 2;
+    Picture picture{spec.width, spec.height, {}};
+    picture.pixels.reserve(spec.image_pixels());
+    for (std::size_t i = 0; i < values.size(); i += channels)
+        picture.pixels.push_back({static_cast<double>(values[i]) / white,
+                                  static_cast<double>(values[i + green]) / white,
+                                  static_cast<double>(values[i + blue]) / white});
+    return picture;
+}
+
+Stored readByOpenImageIO(const std::filesystem::path& file) {
+    OIIO::ImageSpec asStored;
+    asStored.attribute("oiio:UnassociatedAlpha", 1); // else colours are multiplied by alpha
+    const auto input = OIIO::ImageInput::open(file.string(), &asStored);
+    if (!input) throw ImageError(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    // As 16-bit integers where that is exact; OpenImageIO's own conversion goes through single precision.
+    if (spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16)
+        return {toPicture(spec, readChannels<std::uint16_t>(*input, OIIO::TypeDesc::UINT16), 65535), true};
+    return {toPicture(spec, readChannels<double>(*input, OIIO::TypeDesc::DOUBLE), 1),
+            !spec.format.is_floating_point()};
+}
+
+Stored readStored(const std::filesystem::path& file) {
+    const std::string bytes = readFile(file);
+    if (isBinaryPnm(bytes)) return {readPnm(bytes), true};
+    return readByOpenImageIO(file);
+}
+
+} // namespace
+
+Picture readPicture(const std::filesystem::path& file, Encoding integers) {
+    try {
+        Stored stored = readStored(file);
+        if (stored.integers && integers == Encoding::srgb)
+            std::transform(stored.picture.pixels.begin(), stored.picture.pixels.end(),
+                           stored.picture.pixels.begin(), decoded);
+        return std::move(stored.picture);
+    } catch (const FileError& error) {
+        throw ImageError(error.what());
+    } catch (const std::runtime_error& error) {
+        throw ImageError(fmt::format("{}: {}", file.string(), error.what()));
+    } catch (const std::bad_alloc&) {
+        throw ImageError(fmt::format("{}: does not fit into memory", file.string()));
+    }
+}
+
+std::string encodePng(const DisplayPicture& picture) {
+    const auto output = OIIO::ImageOutput::create("png");
+    if (!output) throw ImageError(OIIO::geterror());
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const OIIO::ImageSpec spec(picture.width, picture.height, 3, OIIO::TypeDesc::UINT8);
+    output->set_ioproxy(&memory);
+    if (!output->open("memory.png", spec) ||
+        !output->write_image(OIIO::TypeDesc::UINT8, picture.rgb.data()) || !output->close())
+        throw ImageError(fmt::format("a PNG: {}", output->geterror()));
+    return {bytes.begin(), bytes.end()};
+}
+
+} // namespace yarte::validate

@@ -1,0 +1,168 @@
+// yarte-validate: renders scenes with YARTE and POV-Ray, compares, and reports.
+#include "validate/case.h"
+#include "validate/case_names.h"
+#include "validate/options.h"
+#include "validate/report_html.h"
+#include "validate/report_json.h"
+#include "validate/report_junit.h"
+#include "validate/report_markdown.h"
+#include "validate/report_text.h"
+#include "yarte/base/diagnostic.h"
+#include "yarte/base/file.h"
+#include "yarte/version.h"
+
+#include <cstdlib>
+#include <fmt/format.h>
+#include <new>
+#include <system_error>
+#include <unistd.h>
+
+namespace {
+
+using namespace yarte;
+using namespace yarte::validate;
+namespace fs = std::filesystem;
+
+constexpr int exitGood = 0, exitDiffers = 1, exitCouldNotRun = 3, exitSignal = 128;
+
+void print(FILE* stream, const std::string& text) {
+    fmt::print(stream, "{}", text);
+    std::fflush(stream);
+}
+
+std::string environment(const char* name) {
+    const char* const value = std::getenv(name);
+    return value == nullptr ? "" : value;
+}
+
+std::vector<fs::path> pathFolders() {
+    std::vector<fs::path> folders;
+    const std::string path = environment("PATH");
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find(':', begin), path.size());
+        if (end > begin) folders.push_back(path.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return folders;
+}
+
+/// The program a user named, or the one found, or nothing; absolute, because programs run in other folders.
+fs::path locate(const fs::path& named, const std::string& name, const std::vector<fs::path>& folders) {
+    const fs::path path = named.empty() ? findProgram(name, folders).value_or(fs::path()) : named;
+    return path.empty() ? path : fs::absolute(path);
+}
+
+Programs locatePrograms(const Options& options) {
+    const std::vector<fs::path> path = pathFolders();
+    std::vector<fs::path> besideFirst = {fs::read_symlink("/proc/self/exe").parent_path()};
+    besideFirst.insert(besideFirst.end(), path.begin(), path.end());
+    return {locate(options.yarte, "yarte", besideFirst),
+            locate(options.convert, "yarte-convert", besideFirst), locate(options.povray, "povray", path)};
+}
+
+/// The line of a case; on a terminal its verdict is coloured.
+std::string consoleLine(const CaseReport& c, bool coloured) {
+    std::string line = caseLine(c);
+    if (coloured) {
+        const std::string verdict = name(c.verdict);
+        const char* const colour = c.verdict == Verdict::pass   ? "32"
+                                   : c.verdict == Verdict::fail ? "31"
+                                                                : "33";
+        line.replace(0, verdict.size(), fmt::format("\x1b[{}m{}\x1b[0m", colour, verdict));
+    }
+    return line + "\n";
+}
+
+/// Before anything is rendered: a report that cannot be written is found out now.
+void prepareFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder / "images", error);
+    if (error) throw FileError(folder, error.message());
+    if (::access((folder / "images").c_str(), W_OK | X_OK) != 0)
+        throw FileError(folder, std::generic_category().message(errno));
+}
+
+void writeReport(const Report& report, const fs::path& folder) {
+    writeFile(folder / "report.json", jsonReport(report));
+    writeFile(folder / "junit.xml", junitReport(report));
+    writeFile(folder / "summary.md", markdownReport(report));
+    writeFile(folder / "index.html", htmlReport(report, folder));
+}
+
+Report runCases(const Options& options, const StopSignal& stop) {
+    CaseSettings settings;
+    settings.timeLimit = options.timeLimit;
+    settings.temporaryFolder = fs::temp_directory_path();
+    settings.output = options.output;
+    Report report;
+    report.version = version;
+    const bool coloured = ::isatty(STDOUT_FILENO) != 0 && environment("NO_COLOR").empty();
+    const auto add = [&](CaseReport c) {
+        print(stdout, consoleLine(c, coloured));
+        report.cases.push_back(std::move(c));
+    };
+    if (options.scenes.empty()) {
+        report.encoding =
+            options.integers == Encoding::srgb
+                ? "Integer images were read as sRGB, floating-point ones as linear"
+                : "All images were read as linear, integers as fractions of their largest value";
+        add(validateImages(options.imageA, options.imageB, options.integers, settings));
+        return report;
+    }
+    report.encoding = "YARTE's pictures are linear 32-bit floats, POV-Ray's linear 16-bit integers";
+    settings.render = {locatePrograms(options), options.size, options.processes};
+    const std::vector<std::string> names = caseNames(options.scenes);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        stop.check();
+        add(validateScene(names[i], options.scenes[i], settings, stop));
+    }
+    return report;
+}
+
+int validateAll(const Options& options) {
+    prepareFolder(options.output);
+    const StopSignal stop;
+    const Report report = runCases(options, stop);
+    stop.check();
+    writeReport(report, options.output);
+    print(stdout,
+          fmt::format("{}\nreport: {}\n", summaryLine(report), (options.output / "index.html").string()));
+    switch (report.verdict()) {
+    case Verdict::pass: return exitGood;
+    case Verdict::fail: return exitDiffers;
+    case Verdict::error: break;
+    }
+    return exitCouldNotRun;
+}
+
+/// Says why the run ends without a report.
+int couldNotRun(const Options& options, const std::string& message) {
+    if (!options.jsonDiagnostics) {
+        print(stderr, fmt::format("yarte-validate: {}\n", message));
+    } else {
+        Diagnostics diagnostics;
+        diagnostics.error("validate.could-not-run", message);
+        print(stderr, format(diagnostics, Sources(), DiagnosticStyle::json));
+    }
+    return exitCouldNotRun;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const ParsedOptions parsed = parseOptions(argc, argv);
+    if (!parsed.options) {
+        print(parsed.exitCode == 0 ? stdout : stderr, parsed.text);
+        return parsed.exitCode;
+    }
+    try {
+        return validateAll(*parsed.options);
+    } catch (const Interrupted& interrupted) {
+        couldNotRun(*parsed.options, interrupted.what());
+        return exitSignal + interrupted.signal();
+    } catch (const std::bad_alloc&) {
+        return couldNotRun(*parsed.options, "not enough memory");
+    } catch (const std::exception& error) {
+        return couldNotRun(*parsed.options, error.what());
+    }
+}

@@ -1,0 +1,97 @@
+#include "validate/options.h"
+
+#include "yarte/version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace yarte::validate {
+
+namespace {
+
+/// "WxH" with W and H from 1; the renderers say what is too large.
+std::string checkSize(const std::string& text) {
+    const auto isCount = [](std::string_view digits) {
+        return !digits.empty() && digits.size() <= 9 && digits.front() != '0' &&
+               digits.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const std::string_view view = text;
+    const std::size_t x = view.find('x');
+    if (x != std::string_view::npos && isCount(view.substr(0, x)) && isCount(view.substr(x + 1))) return {};
+    return fmt::format("expected WxH, like 640x480, got '{}'", text);
+}
+
+/// A check without a text of its own in --help.
+CLI::Validator quiet(CLI::Validator check) { return check.description(""); }
+
+void declare(CLI::App& app, Options& options) {
+    app.get_formatter()->column_width(26);
+    app.set_version_flag("--version", fmt::format("yarte-validate {}", version),
+                         "Print the version and exit");
+    app.footer("Exit codes: 0 all pass, 1 a picture differs, 2 wrong usage, 3 a case could not be decided,\n"
+               "130 interrupted. A scene whose name is \"images\" is given as ./images.");
+    app.add_option("SCENE", options.scenes, "Scenes to render")->type_name("");
+    app.add_option("-o,--output", options.output, "Folder for the report and its images")
+        ->type_name("DIR")
+        ->required();
+    app.add_option("--size", options.size, "Image size in pixels, instead of each scene's own")
+        ->type_name("WxH")
+        ->check(CLI::Validator(checkSize, ""));
+    app.add_option("--processes", options.processes,
+                   "Worker processes of yarte and threads of POV-Ray. Default: one per core")
+        ->type_name("N")
+        ->check(quiet(CLI::NonNegativeNumber));
+    app.add_option("--time-limit", options.timeLimit, "Seconds that each program may run")
+        ->type_name("S")
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(0.1, 1e6)));
+    app.add_option("--yarte", options.yarte, "The renderer. Default: beside this program, then in PATH")
+        ->type_name("FILE");
+    app.add_option("--convert", options.convert, "The converter, yarte-convert. Default: as for --yarte")
+        ->type_name("FILE");
+    app.add_option("--povray", options.povray, "POV-Ray. Default: in PATH")->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--diagnostics", [&](const std::string& style) { options.jsonDiagnostics = style == "json"; },
+           "How errors are printed")
+        ->type_name("text|json")
+        ->check(quiet(CLI::IsMember({"text", "json"})));
+}
+
+CLI::App& declareImages(CLI::App& app, Options& options) {
+    CLI::App& images =
+        *app.add_subcommand("images", "Compare two image files of any format OpenImageIO reads");
+    images.fallthrough();
+    images.add_option("A", options.imageA, "An image")->required()->type_name("");
+    images.add_option("B", options.imageB, "The reference")->required()->type_name("");
+    images.add_flag_callback(
+        "--srgb", [&] { options.integers = Encoding::srgb; },
+        "Integers are sRGB encoded. Default: they are linear, as floating-point numbers always are");
+    return images;
+}
+
+} // namespace
+
+ParsedOptions parseOptions(int argc, const char* const* argv) {
+    CLI::App app("Renders scenes with YARTE and with POV-Ray and compares the pictures in linear light.\n"
+                 "A case passes if no pixel differs by more than 4/65535.",
+                 "yarte-validate");
+    Options options;
+    declare(app, options);
+    const CLI::App& images = declareImages(app, options);
+    try {
+        app.parse(argc, argv);
+        if (images.parsed() && !options.scenes.empty())
+            throw CLI::ValidationError("images", "compares two files and takes no scenes");
+        if (!images.parsed() && options.scenes.empty()) throw CLI::RequiredError("SCENE");
+    } catch (const CLI::CallForHelp&) {
+        return {std::nullopt, images.parsed() ? images.help("yarte-validate") : app.help(), 0};
+    } catch (const CLI::CallForVersion& call) {
+        return {std::nullopt, fmt::format("{}\n", call.what()), 0};
+    } catch (const CLI::ParseError& error) {
+        return {std::nullopt, fmt::format("yarte-validate: {}\nSee yarte-validate --help\n", error.what()),
+                2};
+    }
+    return {std::move(options), {}, 0};
+}
+
+} // namespace yarte::validate

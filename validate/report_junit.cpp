@@ -1,0 +1,69 @@
+#include "validate/report_junit.h"
+
+#include "validate/report_text.h"
+
+#include <fmt/format.h>
+
+namespace yarte::validate {
+
+namespace {
+
+/// For text and for attributes of one line in double quotes.
+std::string escaped(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+        case '&': result += "&amp;"; break;
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += c;
+        }
+    }
+    return result;
+}
+
+double seconds(const CaseReport& report) {
+    double sum = 0;
+    for (const CommandRecord& command : report.commands) sum += command.seconds;
+    return sum;
+}
+
+double seconds(const Report& report) {
+    double sum = 0;
+    for (const CaseReport& c : report.cases) sum += seconds(c);
+    return sum;
+}
+
+std::string commandLines(const CaseReport& report) {
+    std::string lines;
+    for (const CommandRecord& command : report.commands) lines += command.line + "\n";
+    return lines;
+}
+
+std::string problem(const CaseReport& report) {
+    if (report.verdict == Verdict::pass) return {};
+    const char* const element = report.verdict == Verdict::fail ? "failure" : "error";
+    const std::string firstLine = report.message.substr(0, report.message.find('\n'));
+    return fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element, escaped(firstLine),
+                       name(report.verdict), escaped(report.message));
+}
+
+} // namespace
+
+std::string junitReport(const Report& report) {
+    const std::string counts =
+        fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\"", report.cases.size(),
+                    report.count(Verdict::fail), report.count(Verdict::error), seconds(report));
+    std::string xml = fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {0}>\n"
+                                  "  <testsuite name=\"yarte-validate\" {0} skipped=\"0\">\n",
+                                  counts);
+    for (const CaseReport& c : report.cases)
+        xml += fmt::format("    <testcase classname=\"yarte-validate\" name=\"{}\" time=\"{:.3f}\">\n{}"
+                           "      <system-out>{}</system-out>\n    </testcase>\n",
+                           escaped(c.name), seconds(c), problem(c),
+                           escaped(caseLine(c) + "\n" + commandLines(c)));
+    return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+} // namespace yarte::validate
