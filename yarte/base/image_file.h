@@ -1,4 +1,4 @@
-// Image files: one way in for all formats. What each holds is in yarte/LANGUAGE.md, "Outputs".
+// Image files: one way in for all formats. What each holds is in yarte/README.md, "Outputs".
 #pragma once
 
 #include "yarte/base/image.h"

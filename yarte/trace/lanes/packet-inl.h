@@ -37,6 +37,34 @@ struct alignas(64) RayPacket {
     }
 };
 
+/// Shear of yarte/trace/face.h as two rows that a vertex is multiplied with: the components that the scalar
+/// form leaves out are exact zeros. One for a packet, however many faces it meets.
+struct alignas(64) ShearPacket {
+    double rows[6][lanes];
+
+    HWY_INLINE void shearAlong(const RayPacket& rays) {
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const V3 d = rays.direction(at);
+            const V zero = set(0), one = set(1);
+            const V ax = hn::Abs(d.x), ay = hn::Abs(d.y), az = hn::Abs(d.z);
+            const M axisX = hn::And(ax > ay, ax > az), axisY = hn::AndNot(ax > ay, ay > az);
+            const V pz = select(axisX, d.x, select(axisY, d.y, d.z));
+            const V px = select(axisX, d.y, select(axisY, d.z, d.x));
+            const V py = select(axisX, d.z, select(axisY, d.x, d.y));
+            const V slopeX = hn::Neg(px / pz), slopeY = hn::Neg(py / pz);
+            store(select(axisX, slopeX, select(axisY, zero, one)), rows[0] + at);
+            store(select(axisX, one, select(axisY, slopeX, zero)), rows[1] + at);
+            store(select(axisX, zero, select(axisY, one, slopeX)), rows[2] + at);
+            store(select(axisX, slopeY, select(axisY, one, zero)), rows[3] + at);
+            store(select(axisX, zero, select(axisY, slopeY, one)), rows[4] + at);
+            store(select(axisX, one, select(axisY, zero, slopeY)), rows[5] + at);
+        }
+    }
+    HWY_INLINE V3 row(std::size_t first, std::size_t at) const {
+        return {load(rows[first] + at), load(rows[first + 1] + at), load(rows[first + 2] + at)};
+    }
+};
+
 struct alignas(64) HitPacket {
     double t[lanes], element[lanes], part[lanes], entering[lanes];
 };

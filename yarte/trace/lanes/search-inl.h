@@ -14,6 +14,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
+/// A packet as all kernels see it: what only some shapes need is computed once.
+struct Lines {
+    const RayPacket& rays;
+    const ShearPacket& shear;
+};
+
+template <class Shape>
+HWY_INLINE CrossingLanes crossings(const Shape& shape, const Lines& lines, std::size_t at) {
+    if constexpr (std::is_same_v<Shape, FaceShape>)
+        return crossings(shape, lines.rays, lines.shear, at);
+    else
+        return crossings(shape, lines.rays.origin(at), lines.rays.direction(at));
+}
+
 /// Lanes that start on the element itself: they meet it only from its inside, and only at its far end.
 struct Departing {
     M any, inside;
@@ -26,10 +40,10 @@ HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, double ele
 
 /// The crossings that count: ahead of the start, and not the start itself.
 template <class Shape>
-HWY_INLINE CrossingLanes ahead(const Shape& shape, const RayPacket& rays, std::size_t at, double element) {
+HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, double element) {
     const V zero = set(0);
-    CrossingLanes c = crossings(shape, rays.origin(at), rays.direction(at));
-    const Departing departs = departing(rays, at, element);
+    CrossingLanes c = crossings(shape, lines, at);
+    const Departing departs = departing(lines.rays, at, element);
     const M leaves = c.leaves;
     c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > zero));
     c.leaves = hn::And(leaves, c.leave > zero);
@@ -47,10 +61,10 @@ HWY_INLINE CrossingLanes ahead(const Shape& shape, const RayPacket& rays, std::s
 }
 
 template <class Shape>
-HWY_INLINE bool improve(const Shape& shape, double element, const RayPacket& rays, HitPacket& best) {
+HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, HitPacket& best) {
     bool improved = false;
     for (std::size_t at = 0; at < lanes; at += half) {
-        const CrossingLanes c = ahead(shape, rays, at, element);
+        const CrossingLanes c = ahead(shape, lines, at, element);
         const M some = hn::Or(c.enters, c.leaves);
         if (!any(some)) continue;
         const V t = select(c.enters, c.enter, c.leave);
@@ -76,9 +90,12 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
         store(set(0), best.part + at);
         store(set(0), best.entering + at);
     }
+    ShearPacket shear;
+    if (!world.faces.faces.empty()) shear.shearAlong(rays);
+    const Lines lines{rays, shear};
     const auto test = [&](ElementId id) HWY_ATTR {
         return world.visit(id,
-                           [&](const auto& shape) HWY_ATTR { return improve(shape, id.index, rays, best); });
+                           [&](const auto& shape) HWY_ATTR { return improve(shape, id.index, lines, best); });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i});
@@ -105,11 +122,11 @@ struct alignas(64) ShadowPacket {
 };
 
 template <class Shape>
-HWY_INLINE void castShadow(const Shape& shape, double element, const BodyAppearance& body,
-                           const RayPacket& rays, ShadowPacket& shadow) {
+HWY_INLINE void castShadow(const Shape& shape, double element, const BodyAppearance& body, const Lines& lines,
+                           ShadowPacket& shadow) {
     const std::size_t level = std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
     for (std::size_t at = 0; at < lanes; at += half) {
-        const CrossingLanes c = ahead(shape, rays, at, element);
+        const CrossingLanes c = ahead(shape, lines, at, element);
         const V distance = load(shadow.distance + at);
         const M enters = hn::And(c.enters, c.enter < distance),
                 leaves = hn::And(c.leaves, c.leave < distance);
@@ -131,9 +148,12 @@ HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
 /// Marks the lanes whose way to the light is blocked, and counts what dims it. Lanes that start as blocked
 /// are not looked at.
 HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow) {
+    ShearPacket shear;
+    if (!world.faces.faces.empty()) shear.shearAlong(rays);
+    const Lines lines{rays, shear};
     const auto test = [&](ElementId id) HWY_ATTR {
         world.visit(id, [&](const auto& shape)
-                            HWY_ATTR { castShadow(shape, id.index, world.appearanceOf(id), rays, shadow); });
+                            HWY_ATTR { castShadow(shape, id.index, world.appearanceOf(id), lines, shadow); });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {

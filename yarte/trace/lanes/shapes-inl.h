@@ -136,31 +136,10 @@ HWY_INLINE CrossingLanes crossings(const Disc& s, V3 origin, V3 direction) {
                        hn::And(fall != set(0), dot(fromCentre, fromCentre) <= set(s.radius * s.radius)));
 }
 
-/// Shear as two rows that a vertex is multiplied with: the components that the scalar form leaves out are
-/// exact zeros.
-struct ShearLanes {
-    V3 origin, rowX, rowY;
-
-    HWY_INLINE ShearLanes(V3 o, V3 d) : origin(o) {
-        const V zero = set(0), one = set(1);
-        const V ax = hn::Abs(d.x), ay = hn::Abs(d.y), az = hn::Abs(d.z);
-        const M axisX = hn::And(ax > ay, ax > az), axisY = hn::AndNot(ax > ay, ay > az);
-        const V pz = select(axisX, d.x, select(axisY, d.y, d.z));
-        const V px = select(axisX, d.y, select(axisY, d.z, d.x)),
-                py = select(axisX, d.z, select(axisY, d.x, d.y));
-        const V slopeX = hn::Neg(px / pz), slopeY = hn::Neg(py / pz);
-        rowX = {select(axisX, slopeX, select(axisY, zero, one)),
-                select(axisX, one, select(axisY, slopeX, zero)),
-                select(axisX, zero, select(axisY, one, slopeX))};
-        rowY = {select(axisX, slopeY, select(axisY, one, zero)),
-                select(axisX, zero, select(axisY, slopeY, one)),
-                select(axisX, one, select(axisY, zero, slopeY))};
-    }
-    HWY_INLINE void see(Vec3 vertex, V& x, V& y) const {
-        const V3 p = spread(vertex) - origin;
-        x = dot(p, rowX), y = dot(p, rowY);
-    }
-};
+HWY_INLINE void see(const ShearPacket& shear, V3 origin, std::size_t at, Vec3 vertex, V& x, V& y) {
+    const V3 p = spread(vertex) - origin;
+    x = dot(p, shear.row(0, at)), y = dot(p, shear.row(3, at));
+}
 
 /// Where rounded products do not decide, which is rare, lane by lane with exact ones.
 HWY_NOINLINE M exactlyGreater(V ax, V by, V bx, V ay) {
@@ -187,15 +166,16 @@ HWY_INLINE M crossesHalfAxis(V ax, V ay, V bx, V by) {
     return hn::And(spans, hn::Or(hn::And(bAbove, greater), hn::AndNot(bAbove, less)));
 }
 
-HWY_INLINE CrossingLanes crossings(const FaceShape& s, V3 origin, V3 direction) {
-    const ShearLanes shear(origin, direction);
+HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, const ShearPacket& shear,
+                                   std::size_t at) {
+    const V3 origin = rays.origin(at), direction = rays.direction(at);
     const auto corners = s.table.cornersOf(s.face);
     M inside = none();
     V previousX, previousY;
-    shear.see(s.table.vertices[corners.back()], previousX, previousY);
+    see(shear, origin, at, s.table.vertices[corners.back()], previousX, previousY);
     for (const std::uint32_t vertex : corners) {
         V x, y;
-        shear.see(s.table.vertices[vertex], x, y);
+        see(shear, origin, at, s.table.vertices[vertex], x, y);
         inside = hn::Xor(inside, crossesHalfAxis(previousX, previousY, x, y));
         previousX = x, previousY = y;
     }

@@ -44,6 +44,20 @@ HWY_INLINE M none() { return set(0) != set(0); }
 HWY_INLINE M isSet(V flag) { return flag != set(0); }
 HWY_INLINE V flag(M mask) { return hn::IfThenElseZero(mask, set(1)); }
 
+/// Writes the numbers of the lanes that are on to `order`, which has room for one more than there are lanes,
+/// and returns how many. What follows them is a valid lane number too.
+HWY_INLINE std::size_t listLanes(M mask, std::int64_t* order) {
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(D(), mask, bits);
+    std::size_t count = 0;
+    for (std::size_t i = 0; i <= half; ++i) order[i] = 0;
+    for (std::size_t i = 0; i < half; ++i) {
+        order[count] = static_cast<std::int64_t>(i);
+        count += bits[0] >> i & 1;
+    }
+    return count;
+}
+
 struct V3 {
     V x, y, z;
 };

@@ -132,16 +132,18 @@ private:
     HWY_INLINE void push(RayQueue& queue, M mask, std::size_t index, V3 origin, V3 direction, V from,
                          V inside, V weight, V levels, V media) {
         queue.reserve(half);
+        alignas(64) std::int64_t order[half + 1];
+        const std::size_t count = listLanes(mask, order);
+        const auto indices = hn::SetTableIndices(D(), order);
         const auto put = [&](RayQueue::Component c, V value) HWY_ATTR {
-            // In two steps: stores that compress are microcoded on some machines.
-            hn::StoreU(hn::Compress(value, mask), D(), queue.end(c));
+            hn::StoreU(hn::TableLookupLanes(value, indices), D(), queue.end(c));
         };
         put(RayQueue::ox, origin.x), put(RayQueue::oy, origin.y), put(RayQueue::oz, origin.z);
         put(RayQueue::dx, direction.x), put(RayQueue::dy, direction.y), put(RayQueue::dz, direction.z);
         put(RayQueue::from, from), put(RayQueue::inside, inside), put(RayQueue::weight, weight);
         put(RayQueue::pixel, queued(RayQueue::pixel, index)), put(RayQueue::levels, levels);
         put(RayQueue::media, media);
-        queue.grow(hn::CountTrue(D(), mask));
+        queue.grow(count);
     }
 
     HWY_INLINE void pushReflected(std::size_t index, std::size_t at, M mask, const HitPacket& hits,
