@@ -1,0 +1,33 @@
+#include "convert/povray/sdl.h"
+
+#include "yarte/base/number.h"
+
+#include <fmt/format.h>
+
+namespace yarte::convert::povray {
+
+std::string sdl(Vec3 v) {
+    return fmt::format("<{}, {}, {}>", printNumber(v.x), printNumber(v.y), printNumber(v.z));
+}
+
+std::string sdl(Colour c) { return sdl(Vec3{c.r, c.g, c.b}); }
+
+std::string sdl(const Frame& f) { return fmt::format("{}, {}, {}", sdl(f.x), sdl(f.y), sdl(f.z)); }
+
+std::string sdlGrey(Colour c) { return c.r == c.g && c.g == c.b ? printNumber(c.r) : sdl(c); }
+
+std::string quoted(std::string_view text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + '"';
+}
+
+std::string placeOf(std::string_view kind, Span span, const Sources& sources) {
+    if (!span.source.valid()) return std::string(kind);
+    return fmt::format("{}, line {}", kind, sources[span.source].position(span.begin).line);
+}
+
+} // namespace yarte::convert::povray

@@ -1,0 +1,165 @@
+// The program `yarte-convert` as users run it: options, files and exit codes.
+#include "tests/convert/support.h"
+#include "tests/support/program.h"
+#include "yarte/version.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include <unistd.h>
+
+namespace yarte::convert::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+using yarte::test::ProgramResult;
+
+const std::string shapes = goldenFolder / "shapes.yarte", meshes = goldenFolder / "meshes.yarte";
+
+class YarteConvert : public testing::Test {
+protected:
+    ProgramResult run(const std::vector<std::string>& arguments) const {
+        return yarte::test::run("yarte-convert", arguments, folder_);
+    }
+    std::vector<std::string> left() const { return yarte::test::namesIn(folder_); }
+    std::string bytes(const std::string& name) const { return readFile(folder_ / name); }
+
+    const std::filesystem::path folder_ = yarte::test::emptyTestFolder();
+};
+
+TEST_F(YarteConvert, WritesSdlInSilence) {
+    const ProgramResult result = run({shapes, "out.pov"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_EQ(result.out + result.err, "");
+    EXPECT_EQ(bytes("out.pov"), readFile(goldenFolder / "shapes.pov"));
+    EXPECT_EQ(left(), std::vector<std::string>{"out.pov"});
+}
+
+TEST_F(YarteConvert, WritesToStandardOutput) {
+    const ProgramResult result = run({shapes, "-", "--to", "pov"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_EQ(result.out, readFile(goldenFolder / "shapes.pov"));
+    EXPECT_TRUE(left().empty());
+}
+
+TEST_F(YarteConvert, ReadsStandardInput) {
+    const std::string command = "cd '" + goldenFolder.string() + "' && '" + YARTE_BIN_DIR +
+                                "/yarte-convert' - '" + (folder_ / "out.yarte").string() +
+                                "' --from yarte --canonical < meshes.yarte";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_THAT(bytes("out.yarte"), HasSubstr("mesh flat.pmf"));
+}
+
+TEST_F(YarteConvert, RefusesMeshFilesOnStandardOutput) {
+    const ProgramResult result = run({meshes, "-", "--to", "yarte"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err,
+              "error: the scene has meshes, which need files of their own: name an output file, or use "
+              "--canonical [convert.several-files]\n");
+}
+
+TEST_F(YarteConvert, ScalesTheExposure) {
+    EXPECT_EQ(run({shapes, "out.pov", "--exposure", "0.25"}).exitCode, 0);
+    EXPECT_THAT(bytes("out.pov"), HasSubstr("#declare Exposure = 0.25;"));
+}
+
+TEST_F(YarteConvert, ReportsLossAndIsStrictOnRequest) {
+    const ProgramResult loose = run({meshes, "out.pov", "--plain-textures", "--report", "report.json"});
+    EXPECT_EQ(loose.exitCode, 0);
+    EXPECT_EQ(loose.err,
+              meshes +
+                  ": warning: material 2: transmission approximated: total internal reflection has "
+                  "weight 1 [convert.loss]\n" +
+                  meshes +
+                  ": warning: body 3, back: transmission approximated: total internal reflection "
+                  "has weight 1 [convert.loss]\n");
+    EXPECT_THAT(bytes("report.json"), HasSubstr("\"action\": \"approximated\""));
+
+    EXPECT_EQ(run({meshes, "strict.pov", "--plain-textures", "--strict"}).exitCode, 1);
+    EXPECT_EQ(run({meshes, "exact.pov", "--strict"}).exitCode, 0);
+    EXPECT_EQ(left(), (std::vector<std::string>{"exact.pov", "out.pov", "report.json", "strict.pov"}));
+}
+
+TEST_F(YarteConvert, RefusesAnInvalidScene) {
+    writeFile(folder_ / "bad.yarte", "camera_position 0 0 5\nfocus_point 0 0 0\nspere 0 0 0 1\n");
+    const ProgramResult result = run({"bad.yarte", "out.pov"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.err, StartsWith("bad.yarte:3:1: error: "));
+    EXPECT_EQ(left(), std::vector<std::string>{"bad.yarte"});
+
+    const ProgramResult json = run({"bad.yarte", "out.pov", "--diagnostics", "json"});
+    EXPECT_EQ(json.exitCode, 1);
+    EXPECT_THAT(json.err, StartsWith("{"));
+}
+
+TEST_F(YarteConvert, ReadsMeshesOutsideTheFolderOnlyWhenAllowed) {
+    std::filesystem::create_directories(folder_ / "a");
+    std::filesystem::create_directories(folder_ / "b");
+    std::filesystem::copy_file(goldenFolder / "flat.pmf", folder_ / "b/flat.pmf");
+    writeFile(folder_ / "a/scene.yarte", "camera_position 0 0 5\nfocus_point 0 0 0\nlight_source 1 1 1 1\n"
+                                         "material 1 1 1 1 1 1 0 0 0 1 0 0 0\n"
+                                         "mesh ../b/flat.pmf 1 1 0 0 0 1 0 0 0 1 0 0 0\n");
+    EXPECT_EQ(run({"a/scene.yarte", "out.pov"}).exitCode, 1);
+    EXPECT_EQ(run({"a/scene.yarte", "out.pov", "--allow-path", "b"}).exitCode, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out.pov"));
+}
+
+TEST_F(YarteConvert, CannotRunWithoutItsFiles) {
+    const ProgramResult missing = run({"missing.yarte", "out.pov"});
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_THAT(missing.err, StartsWith("yarte-convert: error: missing.yarte: "));
+    EXPECT_EQ(run({".", "out.pov", "--from", "yarte"}).exitCode, 3);
+    EXPECT_EQ(run({shapes, "no/such/folder/out.pov"}).exitCode, 3);
+    EXPECT_TRUE(left().empty());
+}
+
+TEST_F(YarteConvert, LeavesTheOldOutputWhenTheDiskIsFull) {
+    writeFile(folder_ / "out.pov", "old");
+    const ProgramResult result =
+        yarte::test::run("yarte-convert", {shapes, "out.pov"}, folder_, {}, {.fileSize = 100});
+    EXPECT_EQ(result.exitCode, 3);
+    EXPECT_EQ(bytes("out.pov"), "old");
+    EXPECT_EQ(left(), std::vector<std::string>{"out.pov"});
+}
+
+TEST_F(YarteConvert, SaysWhatIsWrongWithItsUse) {
+    const auto usage = [&](const std::vector<std::string>& arguments) {
+        const ProgramResult result = run(arguments);
+        EXPECT_EQ(result.exitCode, 2) << result.err;
+        EXPECT_EQ(result.out, "");
+        return result.err;
+    };
+    const std::string help = "\nSee yarte-convert --help\n";
+    EXPECT_EQ(usage({}), "yarte-convert: IN: required" + help);
+    EXPECT_EQ(usage({shapes}), "yarte-convert: OUT: required" + help);
+    EXPECT_EQ(usage({shapes, "out.stl"}),
+              "yarte-convert: out.stl: unknown extension; name the format with --to" + help);
+    EXPECT_EQ(usage({shapes, "out", "--to", "stl"}),
+              "yarte-convert: --to: unknown format 'stl'; see --list-formats" + help);
+    EXPECT_EQ(usage({"a.pov", "b.yarte"}), "yarte-convert: a.pov: format 'pov' can only be written" + help);
+    EXPECT_EQ(usage({"-", "b.pov"}), "yarte-convert: --from: needed to say the format of '-'" + help);
+    EXPECT_EQ(usage({shapes, "-"}), "yarte-convert: --to: needed to say the format of '-'" + help);
+    EXPECT_EQ(usage({shapes, "a.pov", "--canonical"}),
+              "yarte-convert: --canonical: both files must be .yarte" + help);
+    EXPECT_EQ(usage({shapes, "a.pov", "--exposure", "0"}),
+              "yarte-convert: --exposure: must be positive" + help);
+    EXPECT_EQ(usage({shapes, "a.pov", "--exposure", "nan"}),
+              "yarte-convert: --exposure: must be positive" + help);
+    EXPECT_THAT(usage({shapes, "a.pov", "--frobnicate"}), HasSubstr("--frobnicate"));
+    EXPECT_TRUE(left().empty());
+}
+
+TEST_F(YarteConvert, AnswersQuestionsAboutItself) {
+    EXPECT_EQ(run({"--list-formats"}).out, listFormats());
+    EXPECT_EQ(run({"--version"}).out, std::string("yarte-convert ") + version + "\n");
+    const ProgramResult help = run({"--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_THAT(help.out, HasSubstr("--plain-textures"));
+}
+
+} // namespace
+} // namespace yarte::convert::test
