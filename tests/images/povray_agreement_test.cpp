@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
+#include <ostream>
 
 using namespace yarte;
 
@@ -17,6 +19,8 @@ struct Case {
     std::string scene; ///< name of its folder
     std::string size;  ///< empty: the scene's own
 };
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.scene << ' ' << c.size; }
 
 std::vector<Case> cases() {
     std::vector<Case> result;
