@@ -37,31 +37,42 @@ struct alignas(64) RayPacket {
     }
 };
 
-/// Shear of yarte/trace/face.h as two rows that a vertex is multiplied with: the components that the scalar
-/// form leaves out are exact zeros. One for a packet, however many faces it meets.
+/// Shear of yarte/trace/face.h. Computed once for a packet, however many faces it meets.
 struct alignas(64) ShearPacket {
-    double rows[6][lanes];
+    double slopeX[lanes], slopeY[lanes];
+    double axisX[lanes], axisY[lanes]; ///< flags: the direction's largest component is that one; neither: z
+    /// The same for all lanes: 0, 1, 2; or `mixed`, and the lanes choose by their flags.
+    static constexpr int mixed = -1;
+    int axis;
 
     HWY_INLINE void shearAlong(const RayPacket& rays) {
+        std::size_t alongX = 0, alongY = 0;
         for (std::size_t at = 0; at < lanes; at += half) {
             const V3 d = rays.direction(at);
-            const V zero = set(0), one = set(1);
             const V ax = hn::Abs(d.x), ay = hn::Abs(d.y), az = hn::Abs(d.z);
-            const M axisX = hn::And(ax > ay, ax > az), axisY = hn::AndNot(ax > ay, ay > az);
-            const V pz = select(axisX, d.x, select(axisY, d.y, d.z));
-            const V px = select(axisX, d.y, select(axisY, d.z, d.x));
-            const V py = select(axisX, d.z, select(axisY, d.x, d.y));
-            const V slopeX = hn::Neg(px / pz), slopeY = hn::Neg(py / pz);
-            store(select(axisX, slopeX, select(axisY, zero, one)), rows[0] + at);
-            store(select(axisX, one, select(axisY, slopeX, zero)), rows[1] + at);
-            store(select(axisX, zero, select(axisY, one, slopeX)), rows[2] + at);
-            store(select(axisX, slopeY, select(axisY, one, zero)), rows[3] + at);
-            store(select(axisX, zero, select(axisY, slopeY, one)), rows[4] + at);
-            store(select(axisX, one, select(axisY, zero, slopeY)), rows[5] + at);
+            const M isX = hn::And(ax > ay, ax > az), isY = hn::AndNot(ax > ay, ay > az);
+            const V3 p = rotated(isX, isY, d);
+            store(p.x / p.z, slopeX + at), store(p.y / p.z, slopeY + at);
+            store(flag(isX), axisX + at), store(flag(isY), axisY + at);
+            alongX += hn::CountTrue(D(), isX), alongY += hn::CountTrue(D(), isY);
         }
+        axis = alongX == lanes ? 0 : alongY == lanes ? 1 : alongX + alongY == 0 ? 2 : mixed;
     }
-    HWY_INLINE V3 row(std::size_t first, std::size_t at) const {
-        return {load(rows[first] + at), load(rows[first + 1] + at), load(rows[first + 2] + at)};
+
+    /// Where the lanes see `vertex`.
+    HWY_INLINE void see(const V3& origin, std::size_t at, Vec3 vertex, V& x, V& y) const {
+        const V3 p = spread(vertex) - origin;
+        const V3 q = axis == 2   ? p
+                     : axis == 0 ? V3{p.y, p.z, p.x}
+                     : axis == 1 ? V3{p.z, p.x, p.y}
+                                 : rotated(isSet(load(axisX + at)), isSet(load(axisY + at)), p);
+        x = q.x - load(slopeX + at) * q.z, y = q.y - load(slopeY + at) * q.z;
+    }
+
+private:
+    HWY_INLINE static V3 rotated(M isX, M isY, V3 v) {
+        return {select(isX, v.y, select(isY, v.z, v.x)), select(isX, v.z, select(isY, v.x, v.y)),
+                select(isX, v.x, select(isY, v.y, v.z))};
     }
 };
 

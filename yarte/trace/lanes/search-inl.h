@@ -21,9 +21,9 @@ struct Lines {
 };
 
 template <class Shape>
-HWY_INLINE CrossingLanes crossings(const Shape& shape, const Lines& lines, std::size_t at) {
+HWY_INLINE CrossingLanes crossings(const Shape& shape, const Lines& lines, std::size_t at, V limit) {
     if constexpr (std::is_same_v<Shape, FaceShape>)
-        return crossings(shape, lines.rays, lines.shear, at);
+        return crossings(shape, lines.rays, lines.shear, at, limit);
     else
         return crossings(shape, lines.rays.origin(at), lines.rays.direction(at));
 }
@@ -38,11 +38,13 @@ HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, double ele
     return {departs, hn::And(departs, isSet(load(rays.inside + at)))};
 }
 
-/// The crossings that count: ahead of the start, and not the start itself.
+/// The crossings that count: ahead of the start, and not the start itself. Those beyond `limit` may be left
+/// out.
 template <class Shape>
-HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, double element) {
+HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, double element,
+                               V limit) {
     const V zero = set(0);
-    CrossingLanes c = crossings(shape, lines, at);
+    CrossingLanes c = crossings(shape, lines, at, limit);
     const Departing departs = departing(lines.rays, at, element);
     const M leaves = c.leaves;
     c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > zero));
@@ -61,10 +63,12 @@ HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size
 }
 
 template <class Shape>
-HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, HitPacket& best) {
+HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, std::uint32_t mask,
+                        HitPacket& best) {
     bool improved = false;
     for (std::size_t at = 0; at < lanes; at += half) {
-        const CrossingLanes c = ahead(shape, lines, at, element);
+        if (!holds(mask, at)) continue;
+        const CrossingLanes c = ahead(shape, lines, at, element, load(best.t + at));
         const M some = hn::Or(c.enters, c.leaves);
         if (!any(some)) continue;
         const V t = select(c.enters, c.enter, c.leave);
@@ -93,18 +97,19 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
     ShearPacket shear;
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
     const Lines lines{rays, shear};
-    const auto test = [&](ElementId id) HWY_ATTR {
-        return world.visit(id,
-                           [&](const auto& shape) HWY_ATTR { return improve(shape, id.index, lines, best); });
+    const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
+        return world.visit(id, [&](const auto& shape)
+                                   HWY_ATTR { return improve(shape, id.index, lines, mask, best); });
     };
     if (world.tree.empty()) {
-        for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i});
+        for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i}, allLanes);
         return;
     }
     SlabPacket slab(world.tree, rays, best.t);
-    traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
+    traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
         bool improved = false;
-        for (std::uint32_t i = 0; i < leaf.count; ++i) improved |= test(world.tree.order[leaf.first + i]);
+        for (std::uint32_t i = 0; i < leaf.count; ++i)
+            improved |= test(world.tree.order[leaf.first + i], mask);
         if (improved) slab.setMax(best.t);
         return false;
     });
@@ -117,16 +122,17 @@ struct alignas(64) ShadowPacket {
 
     double distance[lanes];
     double blocked[lanes];
-    double crossed[maxLevels]
-                  [lanes]; ///< surfaces of each ct of World::transmissions; those beyond count in the last
+    /// Surfaces of each ct of World::transmissions; those beyond count in the last.
+    double crossed[maxLevels][lanes];
 };
 
 template <class Shape>
 HWY_INLINE void castShadow(const Shape& shape, double element, const BodyAppearance& body, const Lines& lines,
-                           ShadowPacket& shadow) {
+                           std::uint32_t mask, ShadowPacket& shadow) {
     const std::size_t level = std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
     for (std::size_t at = 0; at < lanes; at += half) {
-        const CrossingLanes c = ahead(shape, lines, at, element);
+        if (!holds(mask, at)) continue;
+        const CrossingLanes c = ahead(shape, lines, at, element, load(shadow.distance + at));
         const V distance = load(shadow.distance + at);
         const M enters = hn::And(c.enters, c.enter < distance),
                 leaves = hn::And(c.leaves, c.leave < distance);
@@ -151,13 +157,14 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
     ShearPacket shear;
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
     const Lines lines{rays, shear};
-    const auto test = [&](ElementId id) HWY_ATTR {
-        world.visit(id, [&](const auto& shape)
-                            HWY_ATTR { castShadow(shape, id.index, world.appearanceOf(id), lines, shadow); });
+    const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
+        world.visit(id, [&](const auto& shape) HWY_ATTR {
+            castShadow(shape, id.index, world.appearanceOf(id), lines, mask, shadow);
+        });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
-            test({i});
+            test({i}, allLanes);
             if (allBlocked(shadow)) return;
         }
         return;
@@ -166,8 +173,8 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
     for (std::size_t at = 0; at < lanes; at += half)
         store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
     SlabPacket slab(world.tree, rays, reach);
-    traverse(world.tree, slab, [&](const TreeNode& leaf) HWY_ATTR {
-        for (std::uint32_t i = 0; i < leaf.count; ++i) test(world.tree.order[leaf.first + i]);
+    traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
+        for (std::uint32_t i = 0; i < leaf.count; ++i) test(world.tree.order[leaf.first + i], mask);
         for (std::size_t at = 0; at < lanes; at += half)
             store(select(isSet(load(shadow.blocked + at)), set(-1), load(reach + at)), reach + at);
         slab.setMax(reach);

@@ -18,6 +18,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
+HWY_INLINE CrossingLanes noCrossings() { return {set(0), set(0), set(0), set(0), none(), none()}; }
+
 HWY_INLINE CrossingLanes crossings(const Sphere& s, V3 origin, V3 direction) {
     const V radius2 = set(s.radius * s.radius);
     const V3 u = origin - spread(s.centre);
@@ -25,6 +27,7 @@ HWY_INLINE CrossingLanes crossings(const Sphere& s, V3 origin, V3 direction) {
     const V3 nearest = u + direction * b;
     const V discriminant = radius2 - dot(nearest, nearest);
     const M hits = discriminant >= set(0);
+    if (!any(hits)) return noCrossings();
     const V h = hn::Sqrt(greatest(discriminant, set(0)));
     const V large = select(b < set(0), b - h, b + h);
     const V small = select(large != set(0), (dot(u, u) - radius2) / large, set(0));
@@ -77,6 +80,7 @@ HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, double slope, double height) 
     const V discriminant = slope2 * (xw * xw + zw * zw) - xz * xz;
 
     const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
+    if (!any(hn::Or(a <= zero, discriminant >= zero))) return {infinity, minusInfinity};
     const M linear = a == zero;
     const V single = moved - c / (set(2) * b);
     const M below = hn::And(b<zero, dw> zero), above = hn::And(b > zero, dw < zero);
@@ -136,11 +140,6 @@ HWY_INLINE CrossingLanes crossings(const Disc& s, V3 origin, V3 direction) {
                        hn::And(fall != set(0), dot(fromCentre, fromCentre) <= set(s.radius * s.radius)));
 }
 
-HWY_INLINE void see(const ShearPacket& shear, V3 origin, std::size_t at, Vec3 vertex, V& x, V& y) {
-    const V3 p = spread(vertex) - origin;
-    x = dot(p, shear.row(0, at)), y = dot(p, shear.row(3, at));
-}
-
 /// Where rounded products do not decide, which is rare, lane by lane with exact ones.
 HWY_NOINLINE M exactlyGreater(V ax, V by, V bx, V ay) {
     alignas(64) double a[half], b[half], c[half], d[half], result[half];
@@ -166,24 +165,33 @@ HWY_INLINE M crossesHalfAxis(V ax, V ay, V bx, V by) {
     return hn::And(spans, hn::Or(hn::And(bAbove, greater), hn::AndNot(bAbove, less)));
 }
 
+/// Crossings beyond `limit` may be left out.
 HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, const ShearPacket& shear,
-                                   std::size_t at) {
+                                   std::size_t at, V limit) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
+    V fall, t;
+    const auto meetPlane = [&](const Plane& plane) HWY_ATTR {
+        const V3 normal = spread(plane.normal);
+        fall = hn::Neg(dot(direction, normal));
+        t = dot(origin - spread(plane.anchor), normal) / fall;
+    };
+    const bool isKnown = s.face.plane != Face::noPlane;
+    if (isKnown) { // a look at the plane spares most looks at the edges
+        meetPlane(s.table.planes[s.face.plane]);
+        if (!any(hn::And(t > set(0), t <= limit))) return noCrossings();
+    }
     const auto corners = s.table.cornersOf(s.face);
     M inside = none();
     V previousX, previousY;
-    see(shear, origin, at, s.table.vertices[corners.back()], previousX, previousY);
+    shear.see(origin, at, s.table.vertices[corners.back()], previousX, previousY);
     for (const std::uint32_t vertex : corners) {
         V x, y;
-        see(shear, origin, at, s.table.vertices[vertex], x, y);
+        shear.see(origin, at, s.table.vertices[vertex], x, y);
         inside = hn::Xor(inside, crossesHalfAxis(previousX, previousY, x, y));
         previousX = x, previousY = y;
     }
-    if (!any(inside)) return {set(0), set(0), set(0), set(0), none(), none()};
-    const Plane plane = planeOf(s.table, s.face);
-    const V3 normal = spread(plane.normal);
-    const V fall = hn::Neg(dot(direction, normal));
-    const V t = dot(origin - spread(plane.anchor), normal) / fall;
+    if (!any(inside)) return noCrossings();
+    if (!isKnown) meetPlane(computePlane(s.table, s.face));
     return onceCrossed(t, fall, hn::And(inside, fall != set(0)));
 }
 

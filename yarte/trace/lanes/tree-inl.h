@@ -16,9 +16,10 @@ namespace yarte::trace::HWY_NAMESPACE {
 /// A packet's rays relative to the tree's centre, in float. A ray that starts far outside the tree is moved
 /// up to it first (in double), so that float always has the tree's own scale to work on.
 struct alignas(64) SlabPacket {
-    float ox[lanes], oy[lanes], oz[lanes], ix[lanes], iy[lanes], iz[lanes]; ///< origin, inverse direction
-    float tMax[lanes];   ///< from the moved origin, rounded up
-    double moved[lanes]; ///< how far
+    float ix[lanes], iy[lanes], iz[lanes]; ///< inverse direction
+    float ox[lanes], oy[lanes], oz[lanes]; ///< origin times inverse direction
+    float tMax[lanes];                     ///< from the moved origin, rounded up
+    double moved[lanes];                   ///< how far
 
     HWY_INLINE SlabPacket(const Tree& tree, const RayPacket& rays, const double* distance) {
         for (std::size_t at = 0; at < lanes; at += half) {
@@ -27,8 +28,9 @@ struct alignas(64) SlabPacket {
             const V3 start = o + d * ahead;
             store(ahead, moved + at);
             demote(start.x, ox + at), demote(start.y, oy + at), demote(start.z, oz + at);
-            demote(inverse(d.x), ix + at), demote(inverse(d.y), iy + at), demote(inverse(d.z), iz + at);
+            demote(d.x, ix + at), demote(d.y, iy + at), demote(d.z, iz + at);
         }
+        invert(ix, ox), invert(iy, oy), invert(iz, oz);
         setMax(distance);
     }
     HWY_INLINE void setMax(const double* t) {
@@ -41,16 +43,25 @@ private:
         const hn::Rebind<float, D> f;
         hn::Store(hn::DemoteTo(f, v), f, to);
     }
-    /// Of a component so small that a float cannot hold its inverse, the line stands still along that axis.
-    HWY_INLINE static V inverse(V d) { return hn::CopySign(set(1) / greatest(hn::Abs(d), set(1e-18)), d); }
+    /// Along an axis where the direction's component is so small that its inverse would overflow, the line
+    /// stands still.
+    HWY_INLINE static void invert(float* direction, float* origin) {
+        const F f;
+        const VF d = hn::Load(f, direction);
+        const VF inverse = hn::Set(f, 1) / hn::CopySign(hn::Max(hn::Abs(d), hn::Set(f, 1e-18f)), d);
+        hn::Store(inverse, f, direction);
+        hn::Store(hn::Load(f, origin) * inverse, f, origin);
+    }
 };
 
-/// Where the lanes enter the box, or infinity in those that miss it; `hits` tells which do not.
+/// Where the lanes enter the box, or infinity in those that miss it; `hits` tells which do not. Products may
+/// be fused here: the boxes' margin (boxMargin) covers every rounding.
 HWY_INLINE VF enterBox(const TreeNode& node, const SlabPacket& rays, MF& hits) {
     const F f;
     const auto slab = [&](float low, float high, const float* o, const float* i, VF& from, VF& to) HWY_ATTR {
         const VF origin = hn::Load(f, o), inverse = hn::Load(f, i);
-        const VF a = (hn::Set(f, low) - origin) * inverse, b = (hn::Set(f, high) - origin) * inverse;
+        const VF a = hn::MulSub(hn::Set(f, low), inverse, origin),
+                 b = hn::MulSub(hn::Set(f, high), inverse, origin);
         from = hn::Max(from, hn::Min(a, b)), to = hn::Min(to, hn::Max(a, b));
     };
     VF from = hn::Zero(f), to = hn::Load(f, rays.tMax);
@@ -61,8 +72,19 @@ HWY_INLINE VF enterBox(const TreeNode& node, const SlabPacket& rays, MF& hits) {
     return hn::IfThenElse(hits, from, hn::Set(f, Bounds::infinity));
 }
 
-/// Calls `leaf(node)` for the leaves that some lane may meet, near ones first; `leaf` may lower rays.tMax,
-/// and ends the search by returning true.
+inline constexpr std::uint32_t allLanes = 0xffffffff;
+
+/// True if the half of a packet that starts at lane `at` has a lane in `mask`.
+HWY_INLINE bool holds(std::uint32_t mask, std::size_t at) { return (mask >> at & ((1u << half) - 1)) != 0; }
+
+HWY_INLINE std::uint32_t bitsOf(MF mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(F(), mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// Calls `leaf(node, mask)` for the leaves that some lane may meet, near ones first; `mask` has a bit for
+/// each such lane. `leaf` may lower rays.tMax, and ends the search by returning true.
 template <class Leaf>
 HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
     const F f;
@@ -79,7 +101,8 @@ HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
     while (size > 0) {
         const Pending& top = stack[--size];
         // Not <: of two at equal distance the first in the file must be found.
-        if (hn::AllFalse(f, hn::Load(f, top.enter) <= hn::Load(f, rays.tMax))) continue;
+        MF active = hn::Load(f, top.enter) <= hn::Load(f, rays.tMax);
+        if (hn::AllFalse(f, active)) continue;
         const TreeNode* node = &tree.nodes[top.node];
         while (node->count == 0) {
             MF leftHits, rightHits;
@@ -94,14 +117,16 @@ HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
                 hn::Store(leftFirst ? rightEnter : leftEnter, f, stack[size].enter);
                 stack[size++].node = node->first + (leftFirst ? 1 : 0);
                 node = leftFirst ? &left : &right;
+                active = leftFirst ? leftHits : rightHits;
             } else if (goesLeft || goesRight) {
                 node = goesLeft ? &left : &right;
+                active = goesLeft ? leftHits : rightHits;
             } else {
                 node = nullptr;
                 break;
             }
         }
-        if (node && leaf(*node)) return;
+        if (node && leaf(*node, bitsOf(active))) return;
     }
 }
 
