@@ -129,7 +129,13 @@ Tree treeOf(const World& world) {
     std::vector<Bounds> boxes(world.elements.size());
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
-    return buildTree(boxes);
+    Tree tree = buildTree(boxes);
+    for (TreeEntry& entry : tree.entries) {
+        const auto [kind, row] = world.elements[entry.element.index];
+        if (kind != Kind::face || world.faces.faces[row].cornerCount != 3) continue;
+        std::copy_n(&world.faces.corners[world.faces.faces[row].firstCorner], 3, entry.corners);
+    }
+    return tree;
 }
 
 void listTransmissions(World& world) {

@@ -18,6 +18,8 @@ double doubleArea(Point2 a, Point2 b, Point2 c) {
 Plane computePlane(const FaceTable& table, const Face& face) {
     const auto corners = table.cornersOf(face);
     const Vec3 first = table.vertices[corners[0]];
+    if (corners.size() == 3)
+        return {triangleNormal(first, table.vertices[corners[1]], table.vertices[corners[2]]), first};
     Vec3 areaVector, sum;
     for (std::size_t i = 1; i < corners.size(); ++i) {
         const Vec3 edge = table.vertices[corners[i]] - first;

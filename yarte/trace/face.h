@@ -20,8 +20,10 @@ namespace yarte::trace {
 /// The plane of a face (decision D9).
 struct Plane {
     Vec3 normal; ///< unit, Newell's rule
-    Vec3 anchor; ///< the vertices' mean
+    Vec3 anchor; ///< the vertices' mean; of a triangle, whose vertices all lie in the plane, the first one
 };
+
+inline Vec3 triangleNormal(Vec3 a, Vec3 b, Vec3 c) { return normalised(cross(b - a, c - a)); }
 
 struct Face {
     static constexpr std::uint32_t noPlane = 0xffffffff;

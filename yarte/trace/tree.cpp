@@ -59,12 +59,13 @@ public:
     void write(std::size_t at, const BuiltNode& built, const RTCBounds& box) {
         TreeNode node{{box.lower_x, box.lower_y, box.lower_z}, 0, {box.upper_x, box.upper_y, box.upper_z}, 0};
         if (built.primitives) {
-            node.first = static_cast<std::uint32_t>(tree_.order.size());
+            node.first = static_cast<std::uint32_t>(tree_.entries.size());
             node.count = static_cast<std::uint32_t>(built.primitiveCount);
             for (std::size_t i = 0; i < built.primitiveCount; ++i)
-                tree_.order.push_back({built.primitives[i].primID});
-            std::sort(tree_.order.end() - node.count, tree_.order.end(),
-                      [](ElementId a, ElementId b) { return a.index < b.index; });
+                tree_.entries.push_back({{built.primitives[i].primID}});
+            std::sort(
+                tree_.entries.end() - node.count, tree_.entries.end(),
+                [](const TreeEntry& a, const TreeEntry& b) { return a.element.index < b.element.index; });
             tree_.nodes[at] = node;
             return;
         }
@@ -124,7 +125,7 @@ Tree buildTree(std::span<const Bounds> elements) {
     if (!built) throw std::bad_alloc();
 
     tree.nodes.resize(1);
-    tree.order.reserve(elements.size());
+    tree.entries.reserve(elements.size());
     Flattener(tree).write(0, *built, whole);
     return tree;
 }

@@ -16,17 +16,24 @@ namespace yarte::trace {
 /// Boxes in float, relative to Tree::centre and rounded outwards; two nodes fill a cache line.
 struct TreeNode {
     float low[3];
-    std::uint32_t
-        first; ///< leaf: first entry of Tree::order; else the left child, the right one following it
+    std::uint32_t first; ///< leaf: first of Tree::entries; else the left child, the right one following it
     float high[3];
     std::uint32_t count; ///< leaf: number of entries; else 0
 };
 
+/// An element in a leaf. The corners of a triangle are copied here: the way to them over the world's tables
+/// costs a cache miss at every step, and large meshes are searched for little else.
+struct TreeEntry {
+    static constexpr std::uint32_t noTriangle = 0xffffffff;
+    ElementId element;
+    std::uint32_t corners[3] = {noTriangle, 0, 0}; ///< into FaceTable::vertices
+};
+
 struct Tree {
-    Vec3 centre;                 ///< of all elements
-    double radius = 0;           ///< of a sphere about the centre that holds all elements
-    std::vector<TreeNode> nodes; ///< nodes[0] is the root
-    std::vector<ElementId> order;
+    Vec3 centre;                    ///< of all elements
+    double radius = 0;              ///< of a sphere about the centre that holds all elements
+    std::vector<TreeNode> nodes;    ///< nodes[0] is the root
+    std::vector<TreeEntry> entries; ///< leaf after leaf
     bool empty() const { return nodes.empty(); }
 };
 
@@ -86,7 +93,7 @@ void traverse(const Tree& tree, const Ray& ray, double& tMax, Visit&& visit) {
         const TreeNode& node = tree.nodes[index];
         if (node.count > 0) {
             for (std::uint32_t i = 0; i < node.count; ++i)
-                if (visit(tree.order[node.first + i])) return;
+                if (visit(tree.entries[node.first + i].element)) return;
             continue;
         }
         Pending near{node.first, slab.enter(tree.nodes[node.first], tMax)};

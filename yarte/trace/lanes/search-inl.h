@@ -22,7 +22,9 @@ struct Lines {
 
 template <class Shape>
 HWY_INLINE CrossingLanes crossings(const Shape& shape, const Lines& lines, std::size_t at, V limit) {
-    if constexpr (std::is_same_v<Shape, FaceShape>)
+    if constexpr (std::is_same_v<Shape, TriangleShape>)
+        return crossings(shape, lines.rays, lines.shear, at);
+    else if constexpr (std::is_same_v<Shape, FaceShape>)
         return crossings(shape, lines.rays, lines.shear, at, limit);
     else
         return crossings(shape, lines.rays.origin(at), lines.rays.direction(at));
@@ -86,6 +88,11 @@ HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, 
     return improved;
 }
 
+HWY_INLINE bool isTriangle(const TreeEntry& entry) { return entry.corners[0] != TreeEntry::noTriangle; }
+HWY_INLINE TriangleShape triangle(const World& world, const TreeEntry& entry) {
+    return {world.faces.vertices.data(), entry.corners};
+}
+
 /// Nearest crossings of all lanes; element is noElement where there is none.
 HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPacket& best) {
     for (std::size_t at = 0; at < lanes; at += half) {
@@ -108,8 +115,12 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
     SlabPacket slab(world.tree, rays, best.t);
     traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
         bool improved = false;
-        for (std::uint32_t i = 0; i < leaf.count; ++i)
-            improved |= test(world.tree.order[leaf.first + i], mask);
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            const TreeEntry& entry = world.tree.entries[leaf.first + i];
+            improved |= isTriangle(entry)
+                            ? improve(triangle(world, entry), entry.element.index, lines, mask, best)
+                            : test(entry.element, mask);
+        }
         if (improved) slab.setMax(best.t);
         return false;
     });
@@ -127,18 +138,22 @@ struct alignas(64) ShadowPacket {
 };
 
 template <class Shape>
-HWY_INLINE void castShadow(const Shape& shape, double element, const BodyAppearance& body, const Lines& lines,
+HWY_INLINE void castShadow(const Shape& shape, ElementId element, const World& world, const Lines& lines,
                            std::uint32_t mask, ShadowPacket& shadow) {
-    const std::size_t level = std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
     for (std::size_t at = 0; at < lanes; at += half) {
         if (!holds(mask, at)) continue;
-        const CrossingLanes c = ahead(shape, lines, at, element, load(shadow.distance + at));
         const V distance = load(shadow.distance + at);
+        const CrossingLanes c = ahead(shape, lines, at, element.index, distance);
         const M enters = hn::And(c.enters, c.enter < distance),
                 leaves = hn::And(c.leaves, c.leave < distance);
+        const M crossed = hn::Or(enters, leaves);
+        if (!any(crossed)) continue;
+        const BodyAppearance& body = world.appearanceOf(element);
         if (body.transmission == 0) {
-            store(select(hn::Or(enters, leaves), set(1), load(shadow.blocked + at)), shadow.blocked + at);
+            store(select(crossed, set(1), load(shadow.blocked + at)), shadow.blocked + at);
         } else {
+            const std::size_t level =
+                std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
             double* count = shadow.crossed[level] + at;
             store(load(count) + flag(enters) + flag(leaves), count);
         }
@@ -158,9 +173,8 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
     const Lines lines{rays, shear};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
-        world.visit(id, [&](const auto& shape) HWY_ATTR {
-            castShadow(shape, id.index, world.appearanceOf(id), lines, mask, shadow);
-        });
+        world.visit(id,
+                    [&](const auto& shape) HWY_ATTR { castShadow(shape, id, world, lines, mask, shadow); });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
@@ -174,7 +188,13 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
         store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
     SlabPacket slab(world.tree, rays, reach);
     traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
-        for (std::uint32_t i = 0; i < leaf.count; ++i) test(world.tree.order[leaf.first + i], mask);
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            const TreeEntry& entry = world.tree.entries[leaf.first + i];
+            if (isTriangle(entry))
+                castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow);
+            else
+                test(entry.element, mask);
+        }
         for (std::size_t at = 0; at < lanes; at += half)
             store(select(isSet(load(shadow.blocked + at)), set(-1), load(reach + at)), reach + at);
         slab.setMax(reach);

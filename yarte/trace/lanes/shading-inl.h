@@ -6,6 +6,7 @@
 #define YARTE_TRACE_LANES_SHADING_INL_H
 #endif
 
+#include "yarte/trace/lanes/normals-inl.h"
 #include "yarte/trace/lanes/power-inl.h"
 #include "yarte/trace/lanes/search-inl.h"
 #include "yarte/trace/phong.h"
@@ -13,82 +14,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
-struct C3 {
-    V r, g, b;
-};
-HWY_INLINE C3 operator+(C3 a, C3 b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-HWY_INLINE C3 operator*(C3 a, C3 b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-HWY_INLINE C3 operator*(C3 a, V s) { return {a.r * s, a.g * s, a.b * s}; }
-HWY_INLINE C3 spread(Colour c) { return {set(c.r), set(c.g), set(c.b)}; }
-HWY_INLINE C3 select(M mask, C3 yes, C3 no) {
-    return {select(mask, yes.r, no.r), select(mask, yes.g, no.g), select(mask, yes.b, no.b)};
-}
-HWY_INLINE M isLit(C3 c) {
-    const V zero = set(0);
-    return hn::Or(c.r != zero, hn::Or(c.g != zero, c.b != zero));
-}
-
-struct alignas(64) ColourPacket {
-    double r[lanes], g[lanes], b[lanes];
-    HWY_INLINE C3 at(std::size_t i) const { return {load(r + i), load(g + i), load(b + i)}; }
-    HWY_INLINE void set(std::size_t i, C3 c) { store(c.r, r + i), store(c.g, g + i), store(c.b, b + i); }
-};
-
-/// Surface points and their materials, lane by lane. Lanes without a hit hold zeros.
-struct alignas(64) PointPacket {
-    double px[lanes], py[lanes], pz[lanes]; ///< position
-    double nx[lanes], ny[lanes], nz[lanes]; ///< unit normal, turned to face the viewer
-    double exponent[lanes], reflection[lanes], transmission[lanes];
-    ColourPacket ambient, diffuse, specular;
-
-    HWY_INLINE V3 position(std::size_t i) const { return {load(px + i), load(py + i), load(pz + i)}; }
-    HWY_INLINE V3 normal(std::size_t i) const { return {load(nx + i), load(ny + i), load(nz + i)}; }
-};
-
-HWY_INLINE V3 normals(const Sphere& s, V3 point, V) { return normalised(point - spread(s.centre)); }
-HWY_INLINE V3 normals(const Box& b, V3, V part) {
-    const V3 axis =
-        select(part < set(2), spread(b.axes.x), select(part < set(4), spread(b.axes.y), spread(b.axes.z)));
-    const M low = hn::Or(part == set(0), hn::Or(part == set(2), part == set(4)));
-    return select(low, negated(axis), axis);
-}
-HWY_INLINE V3 nappeNormals(V3 p, double slope) {
-    const V distance = hn::Sqrt(p.x * p.x + p.z * p.z);
-    const V3 normal = normalised(V3{p.x / distance, set(slope), p.z / distance});
-    return select(distance == set(0), V3{set(0), set(1), set(0)}, normal);
-}
-HWY_INLINE V3 normals(const Cone& c, V3 point, V part) {
-    const V3 lateral = toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.slope));
-    return select(part == set(1), negated(spread(c.axes.y)), lateral);
-}
-HWY_INLINE V3 normals(const TruncatedCone& c, V3 point, V) {
-    return toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.slope));
-}
-HWY_INLINE V3 normals(const Disc& d, V3, V) { return spread(d.normal); }
-HWY_INLINE V3 normals(const FaceShape& s, V3 point, V) {
-    if (!s.face.isSmooth) return spread(planeOf(s.table, s.face).normal);
-    alignas(64) double x[half], y[half], z[half];
-    store(point.x, x), store(point.y, y), store(point.z, z);
-    for (std::size_t i = 0; i < half; ++i) {
-        const Vec3 n = outwardNormal(s, {x[i], y[i], z[i]}, 0);
-        x[i] = n.x, y[i] = n.y, z[i] = n.z;
-    }
-    return {load(x), load(y), load(z)};
-}
-
-/// Blends the element's normal and material into the lanes that hit it.
-template <class Shape>
-HWY_INLINE void describe(const Shape& shape, double element, const BodyAppearance& body,
-                         const RayPacket& rays, const HitPacket& hits, PointPacket& points) {
+/// Blends the appearance of a body into the lanes that hit it.
+HWY_INLINE void blendAppearance(const BodyAppearance& body, double index, const double* isBack,
+                                PointPacket& points) {
     for (std::size_t at = 0; at < lanes; at += half) {
-        const M mine = load(hits.element + at) == set(element);
+        const M mine = load(points.body + at) == set(index), back = isSet(load(isBack + at));
         if (!any(mine)) continue;
-        const V3 outward = normals(shape, points.position(at), load(hits.part + at));
-        const M isBack = dot(rays.direction(at), outward) > set(0);
-        const V3 normal = select(mine, select(isBack, negated(outward), outward), points.normal(at));
-        store(normal.x, points.nx + at), store(normal.y, points.ny + at), store(normal.z, points.nz + at);
         const auto blend = [&](ColourPacket& to, const Colour* sides) HWY_ATTR {
-            to.set(at, select(mine, select(isBack, spread(sides[1]), spread(sides[0])), to.at(at)));
+            to.set(at, select(mine, select(back, spread(sides[1]), spread(sides[0])), to.at(at)));
         };
         blend(points.ambient, body.ambient), blend(points.diffuse, body.diffuse),
             blend(points.specular, body.specular);
@@ -98,26 +31,53 @@ HWY_INLINE void describe(const Shape& shape, double element, const BodyAppearanc
     }
 }
 
-/// Fills `points` for the lanes that hit something: once per distinct element, which are few in a coherent
+/// Calls `visit(lane)` for the first lane of each distinct value that is not `skipped`: few in a coherent
 /// packet.
+template <class Visit>
+HWY_INLINE void forEachDistinct(const double* values, double skipped, Visit&& visit) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        bool isSeen = values[lane] == skipped;
+        for (std::size_t before = lane; before-- > 0 && !isSeen;) isSeen = values[before] == values[lane];
+        if (!isSeen) visit(lane);
+    }
+}
+
+/// Fills `points` for the lanes that hit something.
 HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const HitPacket& hits,
                                PointPacket& points) {
     for (std::size_t at = 0; at < lanes; at += half) {
-        const V t = load(hits.t + at);
-        const V3 p = rays.origin(at) + rays.direction(at) * t;
+        const V3 p = rays.origin(at) + rays.direction(at) * load(hits.t + at);
         store(p.x, points.px + at), store(p.y, points.py + at), store(p.z, points.pz + at);
+    }
+    alignas(64) double others[lanes]; // elements that are no triangles
+    triangleNormals(world, hits, points, others);
+    forEachDistinct(others, noElement, [&](std::size_t lane) HWY_ATTR {
+        const double element = others[lane];
+        world.visit({static_cast<std::uint32_t>(element)}, [&](const auto& shape) HWY_ATTR {
+            for (std::size_t at = 0; at < lanes; at += half) {
+                const M mine = load(others + at) == set(element);
+                if (!any(mine)) continue;
+                const V3 outward = normals(shape, points.position(at), load(hits.part + at));
+                points.setNormal(at, select(mine, outward, points.normal(at)));
+            }
+        });
+    });
+    alignas(64) double isBack[lanes];
+    for (std::size_t at = 0; at < lanes; at += half) {
+        const V3 outward = points.normal(at);
+        const M back = dot(rays.direction(at), outward) > set(0);
+        points.setNormal(at, select(back, negated(outward), outward));
+        store(flag(back), isBack + at);
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         const double element = hits.element[lane];
-        bool isSeen = element == noElement;
-        for (std::size_t before = 0; before < lane && !isSeen; ++before)
-            isSeen = hits.element[before] == element;
-        if (isSeen) continue;
-        const ElementId id{static_cast<std::uint32_t>(element)};
-        world.visit(id, [&](const auto& shape) HWY_ATTR {
-            describe(shape, element, world.appearanceOf(id), rays, hits, points);
-        });
+        points.body[lane] =
+            element == noElement ? noElement : world.bodyOf({static_cast<std::uint32_t>(element)}).index;
     }
+    forEachDistinct(points.body, noElement, [&](std::size_t lane) HWY_ATTR {
+        blendAppearance(world.bodies[static_cast<std::size_t>(points.body[lane])], points.body[lane], isBack,
+                        points);
+    });
 }
 
 /// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,

@@ -165,11 +165,51 @@ HWY_INLINE M crossesHalfAxis(V ax, V ay, V bx, V by) {
     return hn::And(spans, hn::Or(hn::And(bAbove, greater), hn::AndNot(bAbove, less)));
 }
 
+/// Lanes whose ray passes inside the polygon: even-odd.
+HWY_INLINE M seesThrough(std::span<const std::uint32_t> corners, const Vec3* vertices, const V3& origin,
+                         const ShearPacket& shear, std::size_t at) {
+    V ax, ay, bx, by;
+    if (corners.size() == 3) { // the usual case, unrolled
+        V cx, cy;
+        shear.see(origin, at, vertices[corners[0]], ax, ay);
+        shear.see(origin, at, vertices[corners[1]], bx, by);
+        shear.see(origin, at, vertices[corners[2]], cx, cy);
+        return hn::Xor(crossesHalfAxis(ax, ay, bx, by),
+                       hn::Xor(crossesHalfAxis(bx, by, cx, cy), crossesHalfAxis(cx, cy, ax, ay)));
+    }
+    M inside = none();
+    shear.see(origin, at, vertices[corners.back()], ax, ay);
+    for (const std::uint32_t vertex : corners) {
+        shear.see(origin, at, vertices[vertex], bx, by);
+        inside = hn::Xor(inside, crossesHalfAxis(ax, ay, bx, by));
+        ax = bx, ay = by;
+    }
+    return inside;
+}
+
+/// A triangle as a tree's leaf knows it.
+struct TriangleShape {
+    static constexpr bool isFlat = true, isClosed = false;
+    const Vec3* vertices;
+    const std::uint32_t* corners;
+};
+
+HWY_INLINE CrossingLanes crossings(const TriangleShape& s, const RayPacket& rays, const ShearPacket& shear,
+                                   std::size_t at) {
+    const V3 origin = rays.origin(at), direction = rays.direction(at);
+    const M inside = seesThrough(std::span(s.corners, 3), s.vertices, origin, shear, at);
+    if (!any(inside)) return noCrossings();
+    const Vec3 anchor = s.vertices[s.corners[0]];
+    const V3 normal = spread(triangleNormal(anchor, s.vertices[s.corners[1]], s.vertices[s.corners[2]]));
+    const V fall = hn::Neg(dot(direction, normal));
+    return onceCrossed(dot(origin - spread(anchor), normal) / fall, fall, hn::And(inside, fall != set(0)));
+}
+
 /// Crossings beyond `limit` may be left out.
 HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, const ShearPacket& shear,
                                    std::size_t at, V limit) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
-    V fall, t;
+    V fall = set(0), t = set(0);
     const auto meetPlane = [&](const Plane& plane) HWY_ATTR {
         const V3 normal = spread(plane.normal);
         fall = hn::Neg(dot(direction, normal));
@@ -180,16 +220,7 @@ HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, co
         meetPlane(s.table.planes[s.face.plane]);
         if (!any(hn::And(t > set(0), t <= limit))) return noCrossings();
     }
-    const auto corners = s.table.cornersOf(s.face);
-    M inside = none();
-    V previousX, previousY;
-    shear.see(origin, at, s.table.vertices[corners.back()], previousX, previousY);
-    for (const std::uint32_t vertex : corners) {
-        V x, y;
-        shear.see(origin, at, s.table.vertices[vertex], x, y);
-        inside = hn::Xor(inside, crossesHalfAxis(previousX, previousY, x, y));
-        previousX = x, previousY = y;
-    }
+    const M inside = seesThrough(s.table.cornersOf(s.face), s.table.vertices.data(), origin, shear, at);
     if (!any(inside)) return noCrossings();
     if (!isKnown) meetPlane(computePlane(s.table, s.face));
     return onceCrossed(t, fall, hn::And(inside, fall != set(0)));
