@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""scenes.py NAME FOLDER: writes FOLDER/NAME.yarte (and its mesh), a workload for ci/bench, from a fixed seed.
+
+spheres  10,000 spheres, 10 lights, shadows everywhere
+glass    mirrors and glass, 10 generations
+mesh     a height field of 1,002,528 triangles
+"""
+import math
+import pathlib
+import random
+import sys
+
+
+def spheres(out, folder):
+    rng = random.Random(1)
+    out.write("camera_position 0 3 14\nfocus_point 0 -1 0\ncamera_apertures 28 28\nbackground_colour 0.1 0.1 0.15\n")
+    for i in range(10):
+        angle = 2 * math.pi * i / 10
+        out.write(f"light_source {30 * math.cos(angle):.6g} 25 {30 * math.sin(angle):.6g} 0.12\n")
+    out.write("material 0.02 0.02 0.02 0.6 0.6 0.6 0 0 0 1 0 0 0\npolygon 4 -40 -5 40 40 -5 40 40 -5 -40 -40 -5 -40\n")
+    for _ in range(10000):
+        colour = [rng.uniform(0.2, 1) for _ in range(3)]
+        centre = [rng.uniform(-6, 6), rng.uniform(-5, 3), rng.uniform(-6, 6)]
+        out.write("material 0.02 0.02 0.02 {:.3f} {:.3f} {:.3f} 0.3 0.3 0.3 40 0 0 0\n".format(*colour))
+        out.write("sphere {:.6g} {:.6g} {:.6g} 0.1\n".format(*centre))
+
+
+def glass(out, folder):
+    rng = random.Random(2)
+    out.write("camera_position 0 2 9\nfocus_point 0 0 0\ncamera_apertures 28 28\nbackground_colour 0.3 0.4 0.6\n"
+              "max_recurse_level 10\nlight_source 8 12 6 0.8\nlight_source -9 8 3 0.4\n"
+              "material 0.05 0.05 0.05 0.5 0.5 0.4 0.2 0.2 0.2 30 0.3 0 0\n"
+              "polygon 4 -30 -3 30 30 -3 30 30 -3 -30 -30 -3 -30\n")
+    for i in range(60):
+        centre = [rng.uniform(-5, 5), rng.uniform(-2.4, 3), rng.uniform(-6, 3)]
+        if i % 2:
+            out.write("material 0 0 0 0.05 0.05 0.05 0.5 0.5 0.5 100 0.1 0.85 1.5\n")
+        else:
+            out.write("material 0 0 0 0.1 0.1 0.12 0.5 0.5 0.5 100 0.8 0 0\n")
+        out.write("sphere {:.6g} {:.6g} {:.6g} 0.45\n".format(*centre))
+
+
+def mesh(out, folder):
+    n = 708
+    with open(folder / "mesh.pmf", "w") as file:
+        file.write(f"{(n + 1) ** 2} {2 * n * n}\n")
+        for j in range(n + 1):
+            for i in range(n + 1):
+                x, z = 2 * i / n - 1, 2 * j / n - 1
+                y = 0.15 * math.sin(9 * x) * math.cos(7 * z) + 0.02 * math.sin(61 * x + 3 * z) * math.sin(53 * z)
+                file.write(f"{x:.6g} {y:.6g} {z:.6g}\n")
+        for j in range(n):
+            for i in range(n):
+                a = j * (n + 1) + i
+                file.write(f"{a} {a + n + 1} {a + 1}\n{a + 1} {a + n + 1} {a + n + 2}\n")
+    out.write("camera_position 0 1.6 2.2\nfocus_point 0 -0.1 0\ncamera_apertures 30 30\nlight_source 3 2 1 1\n"
+              "material 0.05 0.05 0.05 0.8 0.6 0.3 0.3 0.3 0.3 40 0 0 0\n"
+              "mesh mesh.pmf 1 1 0 0 0 1 0 0 0 1 0 0 0\n")
+
+
+if __name__ == "__main__":
+    name, target = sys.argv[1], pathlib.Path(sys.argv[2])
+    with open(target / f"{name}.yarte", "w") as scene:
+        {"spheres": spheres, "glass": glass, "mesh": mesh}[name](scene, target)
