@@ -1,5 +1,7 @@
 #include "convert/format.h"
 
+#include "convert/gltf/read.h"
+#include "convert/gltf/write.h"
 #include "convert/pmf_format.h"
 #include "convert/povray/write.h"
 #include "convert/yarte_format.h"
@@ -15,6 +17,8 @@ std::span<const Format> formats() {
     static const Format table[] = {
         {"yarte", {".yarte"}, readYarteScene, writeYarteScene},
         {"pmf", {".pmf"}, readMeshAsScene, writeMesh},
+        {"gltf", {".gltf"}, gltf::readScene, gltf::writeGltf},
+        {"glb", {".glb"}, gltf::readScene, gltf::writeGlb},
         {"pov", {".pov"}, nullptr, povray::writeScene},
     };
     return table;

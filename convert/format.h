@@ -30,7 +30,9 @@ struct Input {
 struct WriteOptions {
     double exposure = 1; ///< .pov: factor of lights, ambient and background; a power of two keeps every bit
     bool plainTextures = false; ///< .pov: the fastest idiomatic SDL rather than the exact one
-    bool canonical = false;     ///< .yarte: mesh paths stay as they are and no mesh is written
+    /// .gltf, .glb: how far triangles may be from curved shapes, in scene units; none: a part of the radius
+    std::optional<double> chordError{};
+    bool canonical = false; ///< .yarte: mesh paths stay as they are and no mesh is written
 };
 
 struct OutputFile {

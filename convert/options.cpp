@@ -36,6 +36,10 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
         ->capture_default_str();
     app.add_flag("--plain-textures", options.writing.plainTextures,
                  "Write .pov with the textures and meshes that POV-Ray renders fastest, not the exact ones");
+    app.add_option("--chord-error", options.writing.chordError,
+                   "In .gltf and .glb: how far triangles may be from curved shapes, in scene units; default: "
+                   "a thousandth of the radius")
+        ->type_name("E");
     app.add_option("--allow-path", raw.allowedFolders,
                    "Folder besides the input's own that it may read files from; may be repeated")
         ->type_name("DIR")
@@ -71,6 +75,8 @@ void complete(Options& options, const Raw& raw) {
         throw CLI::ValidationError("--canonical", "both files must be .yarte");
     if (!(options.writing.exposure > 0) || !std::isfinite(options.writing.exposure))
         throw CLI::ValidationError("--exposure", "must be positive");
+    if (const auto chord = options.writing.chordError; chord && !(*chord > 0 && std::isfinite(*chord)))
+        throw CLI::ValidationError("--chord-error", "must be positive");
     if (raw.input != "-") options.input = raw.input;
     if (raw.output != "-") options.output = raw.output;
     options.allowedFolders.assign(raw.allowedFolders.begin(), raw.allowedFolders.end());

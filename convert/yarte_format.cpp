@@ -1,5 +1,6 @@
 #include "convert/yarte_format.h"
 
+#include "convert/gltf/mesh_reader.h"
 #include "yarte/lang/pmf.h"
 #include "yarte/lang/scene_printer.h"
 #include "yarte/lang/scene_reader.h"
@@ -9,7 +10,7 @@
 namespace yarte::convert {
 namespace {
 
-constexpr MeshFormat meshFormats[] = {{".pmf", readPmf}};
+constexpr MeshFormat meshFormats[] = {{".pmf", readPmf}, {".gltf", gltf::readMesh}, {".glb", gltf::readMesh}};
 
 std::filesystem::path folderOf(const std::filesystem::path& file) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(file)).parent_path();

@@ -1,5 +1,7 @@
 // yarte: renders a scene. The only file of the program that prints, reads the environment or decides the exit
 // code.
+#include "convert/gltf/mesh_reader.h"
+#include "yarte/aov_image.h"
 #include "yarte/base/diagnostic.h"
 #include "yarte/base/file.h"
 #include "yarte/engine/memory_limit.h"
@@ -33,7 +35,9 @@ namespace {
 
 enum ExitCode { good = 0, refused = 1, wrongUsage = 2, couldNotRun = 3 };
 
-constexpr std::array meshFormats{MeshFormat{".pmf", readPmf}};
+constexpr std::array meshFormats{MeshFormat{".pmf", readPmf},
+                                 MeshFormat{".gltf", convert::gltf::readMesh},
+                                 MeshFormat{".glb", convert::gltf::readMesh}};
 
 void print(std::FILE* stream, std::string_view text) {
     std::fwrite(text.data(), 1, text.size(), stream);
@@ -104,10 +108,13 @@ public:
 
 private:
     std::optional<Scene> read();
-    std::optional<Rendering> trace(const Scene&, Resolution, Tile region);
+    WorldPtr build(const Scene&, Resolution);
+    std::optional<Rendering> trace(const World&, const RenderOptions&);
     void write(const Rendering&, double gamma);
+    void writeAov(const Scene&, const World&, const RenderOptions&);
 
     Options options_;
+    Sources sources_;
     DiagnosticStyle style_ = DiagnosticStyle::plain;
     Stopwatch watch_;
     Stats stats_;
@@ -127,26 +134,28 @@ int Run::fail(int code, std::string message) const {
 
 std::optional<Scene> Run::read() {
     const Stopwatch watch;
-    Sources sources;
     Diagnostics diagnostics;
     const SceneReading reading{{options_.allowedFolders}, meshFormats};
-    auto scene = orCannot("open", [&] { return readScene(options_.scene, reading, sources, diagnostics); });
-    print(stderr, format(diagnostics, sources, style_));
+    auto scene = orCannot("open", [&] { return readScene(options_.scene, reading, sources_, diagnostics); });
+    print(stderr, format(diagnostics, sources_, style_));
     stats_.parseSeconds = watch.seconds();
     return scene;
 }
 
-std::optional<Rendering> Run::trace(const Scene& scene, Resolution resolution, Tile region) {
-    const Stopwatch build;
-    const WorldPtr world = buildWorld(scene, resolution);
-    stats_.buildSeconds = build.seconds();
+WorldPtr Run::build(const Scene& scene, Resolution resolution) {
+    const Stopwatch watch;
+    WorldPtr world = buildWorld(scene, resolution);
+    stats_.buildSeconds = watch.seconds();
+    return world;
+}
 
+std::optional<Rendering> Run::trace(const World& world, const RenderOptions& options) {
     const Stopwatch watch;
     ProgressPrinter printer(options_.progress);
     auto rendering = render(
-        {region, options_.tileSide, options_.mode, options_.workers},
+        options,
         [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {
-            renderTile(*world, tile, pixels, stride, rays);
+            renderTile(world, tile, pixels, stride, rays);
         },
         [&](RenderProgress progress) {
             printer.update(progress);
@@ -168,10 +177,17 @@ void Run::write(const Rendering& rendering, double gamma) {
     stats_.writeSeconds = watch.seconds();
 }
 
+void Run::writeAov(const Scene& scene, const World& world, const RenderOptions& options) {
+    const auto image = aovImage(scene, sources_, world, options,
+                                [](RenderProgress) { return !DeferredInterrupts::pending(); });
+    if (image) orCannot("write", [&] { writeFile(*options_.aov, encodeExrLayers(*image)); });
+}
+
 int Run::operator()() {
     orCannot("write", [&] {
         for (const std::filesystem::path& output : options_.outputs) requireWritable(output);
         if (options_.stats) requireWritable(*options_.stats);
+        if (options_.aov) requireWritable(*options_.aov);
     });
     if (const auto why = overwritesScene(options_)) return fail(wrongUsage, *why);
 
@@ -189,8 +205,11 @@ int Run::operator()() {
         return fail(couldNotRun, *why);
 
     const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
-    const std::optional<Rendering> rendering = trace(*scene, resolution, region);
+    const WorldPtr world = build(*scene, resolution);
+    const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers};
+    const std::optional<Rendering> rendering = trace(*world, options);
     if (rendering) write(*rendering, scene->gamma);
+    if (rendering && options_.aov) writeAov(*scene, *world, options);
     if (const int signal = DeferredInterrupts::pending())
         return fail(interruptExitCode(signal), "interrupted");
 

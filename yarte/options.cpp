@@ -68,9 +68,13 @@ std::string checkOutput(const std::string& file) {
     return fmt::format("{}: unknown image format; known are {}", file, imageExtensions());
 }
 
+std::string checkAovFile(const std::string& file) {
+    return imageFormat(file) == ImageFormat::exr ? std::string() : fmt::format("{}: must end in .exr", file);
+}
+
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string scene, size, region, progress = "auto", diagnostics = "text", stats;
+    std::string scene, size, region, progress = "auto", diagnostics = "text", stats, aov;
     std::vector<std::string> outputs, allowedFolders;
     std::optional<int> processes, threads;
 };
@@ -123,6 +127,10 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
         ->check(CLI::Validator(CLI::IsMember({"auto", "bar", "json", "none"})).description(""));
     app.add_option("--stats", raw.stats, "Write times, memory and numbers of rays, as JSON")
         ->type_name("FILE");
+    app.add_option("--aov", raw.aov,
+                   "Write what is known of each pixel besides its colour: body, depth, normal, shadows, ...")
+        ->type_name("FILE.exr")
+        ->check(CLI::Validator(checkAovFile, ""));
     app.add_option("--diagnostics", raw.diagnostics, "How errors and warnings are printed")
         ->type_name("text|json")
         ->check(CLI::Validator(CLI::IsMember({"text", "json"})).description(""));
@@ -149,6 +157,7 @@ void complete(Options& options, const Raw& raw) {
     if (raw.progress == "json") options.progress = ProgressStyle::json;
     if (raw.progress == "none") options.progress = ProgressStyle::none;
     if (!raw.stats.empty()) options.stats = raw.stats;
+    if (!raw.aov.empty()) options.aov = raw.aov;
     options.jsonDiagnostics = raw.diagnostics == "json";
 }
 

@@ -26,6 +26,7 @@ struct Options {
     std::vector<std::filesystem::path> allowedFolders;
     ProgressStyle progress = ProgressStyle::automatic;
     std::optional<std::filesystem::path> stats;
+    std::optional<std::filesystem::path> aov; ///< .exr
     bool jsonDiagnostics = false;
 };
 

@@ -33,6 +33,8 @@ std::optional<std::string> overwritesScene(const Options& options) {
         if (isScene(output)) return fmt::format("{}: the output is the scene itself", output.string());
     if (options.stats && isScene(*options.stats))
         return fmt::format("{}: the statistics would overwrite the scene", options.stats->string());
+    if (options.aov && isScene(*options.aov))
+        return fmt::format("{}: the AOV would overwrite the scene", options.aov->string());
     return std::nullopt;
 }
 

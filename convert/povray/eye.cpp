@@ -2,10 +2,8 @@
 
 #include "yarte/scene/referential.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace yarte::convert::povray {
 namespace {
@@ -28,20 +26,6 @@ bool wouldHoldEye(const Body& body, Vec3 eye) {
     const Vec3 p = axes.toLocal(eye - cone->centre);
     const double radius = cone->radius * (cone->coneHeight - p.y) / cone->coneHeight;
     return p.y >= 0 && p.y <= cone->height && std::hypot(p.x, p.z) <= radius;
-}
-
-bool isClosed(const MeshData& mesh) {
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<Edge> edges, reversed;
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f) {
-        const auto face = mesh.face(f);
-        for (std::size_t i = 0; i < face.size(); ++i) {
-            const std::uint32_t from = face[i], to = face[(i + 1) % face.size()];
-            edges.emplace_back(from, to), reversed.emplace_back(to, from);
-        }
-    }
-    std::ranges::sort(edges), std::ranges::sort(reversed);
-    return edges == reversed && std::ranges::adjacent_find(edges) == edges.end();
 }
 
 bool isInside(const MeshData& mesh, const std::vector<Vec3>& placed, Vec3 eye) {

@@ -9,6 +9,8 @@ namespace {
 TEST(Formats, AreListed) {
     EXPECT_EQ(listFormats(), "yarte   .yarte        read, write\n"
                              "pmf     .pmf          read, write\n"
+                             "gltf    .gltf         read, write\n"
+                             "glb     .glb          read, write\n"
                              "pov     .pov          write\n");
 }
 

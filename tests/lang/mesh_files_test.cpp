@@ -47,6 +47,21 @@ TEST_F(MeshFilesTest, FileNamedTwiceIsReadOnce) {
     EXPECT_EQ(ids, (std::vector<std::uint32_t>{0, 1, 0, 0, 0}));
 }
 
+TEST_F(MeshFilesTest, MeshesInMemoryNeedNoFile) {
+    MeshData given;
+    given.path = "in memory";
+    given.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    given.corners = {0, 1, 2};
+    given.faceStarts = {0, 3};
+    const std::string twice = mesh("\"in memory\"") + mesh("a.pmf") + mesh("\"in memory\"");
+    const SceneReading reading{{}, test::pmfOnly, std::span(&given, 1)};
+    const test::SceneText read(test::header + twice, folder, reading);
+    ASSERT_EQ(read.messages(), "");
+    ASSERT_EQ(read.scene->meshes.size(), 2U);
+    EXPECT_EQ(read.scene->meshes[0], given);
+    EXPECT_EQ(std::get<Mesh>(read.scene->bodies[2].shape).mesh, MeshId{0});
+}
+
 TEST_F(MeshFilesTest, MustLieInTheFolderOrBelow) {
     fs::create_symlink(root / "other" / "c.pmf", folder / "out.pmf");
     expectError("../other/c.pmf", "scene.path-not-allowed");

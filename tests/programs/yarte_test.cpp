@@ -171,7 +171,9 @@ TEST_F(Yarte, WrongUsageIsExitCode2AndSaysWhat) {
     const Case cases[] = {
         {{}, "SCENE is required"},
         {{"s.yarte", "t.yarte"}, "The following argument was not expected: t.yarte"},
-        {{"s.yarte", "--aov", "x.exr"}, "The following arguments were not expected"},
+        {{"s.yarte", "--colour", "x.exr"}, "The following arguments were not expected"},
+        {{"s.yarte", "--aov", "x.png"}, "--aov: x.png: must end in .exr"},
+        {{"s.yarte", "--aov", "s.yarte"}, "--aov: s.yarte: must end in .exr"},
         {{"s.yarte", "-o", "a.tga"},
          "--output: a.tga: unknown image format; known are .png .ppm .pfm .exr .dmp"},
         {{"s.yarte", "-o"}, "--output: 1 required FILE missing"},

@@ -1,10 +1,12 @@
 #include "yarte/base/image_file.h"
+#include "yarte/base/image_layers.h"
 
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
 #include <half.h>
 
 #include <cstdint>
@@ -65,6 +67,27 @@ std::string encodeExr(ImageView image, const ImageEncoding& encoding) {
     {
         Imf::OutputFile file(stream, header, 0 /* threads */);
         encoding.half ? writeRows<half>(file, image, type) : writeRows<float>(file, image, type);
+    } // the destructor writes the line offsets
+    return stream.take();
+}
+
+std::string encodeExrLayers(const LayeredImage& image) {
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    for (const auto& [name, text] : image.attributes) header.insert(name, Imf::StringAttribute(text));
+
+    Imf::FrameBuffer planes;
+    for (const ImageLayer& layer : image.layers) {
+        header.channels().insert(layer.name, Imf::Channel(Imf::FLOAT));
+        char* const base = reinterpret_cast<char*>(const_cast<float*>(layer.values.data())); // only read from
+        planes.insert(layer.name, Imf::Slice(Imf::FLOAT, base, sizeof(float),
+                                             sizeof(float) * static_cast<std::size_t>(image.width)));
+    }
+    StringStream stream;
+    {
+        Imf::OutputFile file(stream, header, 0 /* threads */);
+        file.setFrameBuffer(planes);
+        file.writePixels(image.height);
     } // the destructor writes the line offsets
     return stream.take();
 }

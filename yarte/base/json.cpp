@@ -15,6 +15,8 @@ std::string jsonString(std::string_view text) {
             result += "\\ufffd", length = 1;
         else if (c == '"' || c == '\\')
             result += {'\\', c};
+        else if (c == '\n')
+            result += "\\n";
         else if (static_cast<unsigned char>(c) < 0x20)
             result += fmt::format("\\u{:04x}", static_cast<int>(c));
         else

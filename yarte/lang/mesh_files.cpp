@@ -11,8 +11,8 @@ namespace yarte {
 namespace fs = std::filesystem;
 
 MeshFiles::MeshFiles(fs::path folder, const SceneReading& reading, Sources& sources, Diagnostics& diagnostics)
-    : folder_(std::move(folder)), readable_(reading.readable), formats_(reading.meshes), sources_(sources),
-      diagnostics_(diagnostics) {
+    : folder_(std::move(folder)), readable_(reading.readable), formats_(reading.meshes),
+      inMemory_(reading.inMemory), sources_(sources), diagnostics_(diagnostics) {
     readable_.folders.push_back(folder_);
 }
 
@@ -31,7 +31,17 @@ const MeshFormat* MeshFiles::formatOf(const fs::path& file, Span span) {
     return nullptr;
 }
 
+std::optional<MeshId> MeshFiles::findInMemory(const std::string& name, std::vector<MeshData>& meshes) {
+    const auto given = std::ranges::find(inMemory_, name, &MeshData::path);
+    if (given == inMemory_.end()) return std::nullopt;
+    const auto there = std::ranges::find(meshes, name, &MeshData::path);
+    const MeshId id{static_cast<std::uint32_t>(there - meshes.begin())};
+    if (there == meshes.end()) meshes.push_back(*given);
+    return id;
+}
+
 std::optional<MeshId> MeshFiles::find(const std::string& name, Span span, std::vector<MeshData>& meshes) {
+    if (const auto id = findInMemory(name, meshes)) return id;
     const fs::path file = (folder_ / name).lexically_normal();
     if (!readable_.contain(file)) {
         diagnostics_.error(

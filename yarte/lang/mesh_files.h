@@ -16,11 +16,13 @@ public:
     std::optional<MeshId> find(const std::string& name, Span span, std::vector<MeshData>& meshes);
 
 private:
+    std::optional<MeshId> findInMemory(const std::string& name, std::vector<MeshData>& meshes);
     const MeshFormat* formatOf(const std::filesystem::path& file, Span span);
 
     std::filesystem::path folder_;
     ReadableFolders readable_;
     std::span<const MeshFormat> formats_;
+    std::span<const MeshData> inMemory_;
     Sources& sources_;
     Diagnostics& diagnostics_;
     std::map<std::filesystem::path, std::optional<MeshId>> known_; ///< by the path with links resolved

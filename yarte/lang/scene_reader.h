@@ -26,8 +26,9 @@ struct MeshFormat {
 
 /// What a scene may refer to.
 struct SceneReading {
-    ReadableFolders readable;           ///< besides the scene's own folder
-    std::span<const MeshFormat> meshes; ///< formats of the `mesh` directive
+    ReadableFolders readable;             ///< besides the scene's own folder
+    std::span<const MeshFormat> meshes;   ///< formats of the `mesh` directive
+    std::span<const MeshData> inMemory{}; ///< found by their path before any file is looked for
 };
 
 /// Reads and checks a scene file. Nothing is returned if there was an error (warnings are in `diagnostics`

@@ -104,7 +104,7 @@ Colour Walk::beyond(const Ray& ray, const Path& path, const SurfacePoint& point,
     if (path.levelsLeft == 0) return {};
     const BodyAppearance& body = world_.appearanceOf(point.element);
     Colour sum;
-    if (body.reflection > 0 || isCamera) {
+    if (body.reflection > 0 || path.weight > 0) {
         const Ray next{point.position, mirror, {point.element, point.viewerSide}};
         const Colour brought = follow(next, {path.weight * body.reflection, path.levelsLeft - 1, path.media});
         sum += body.reflection * brought;

@@ -28,8 +28,8 @@ struct AovVisit {
     double weight = 0;   ///< ambient colour
     Colour lit;          ///< diffuse colour
     Colour highlight;    ///< specular colour
-    Colour reflected;    ///< cr; where cr is 0 what the camera ray's mirrored ray would bring
-    Colour transmitted;  ///< ct; exact only where no further ray of the pixel met the body
+    Colour reflected;    ///< cr; mirrored rays are followed for this where cr is 0, too
+    Colour transmitted;  ///< ct
 };
 
 struct AovPixel {

@@ -1,0 +1,108 @@
+#include "convert/gltf/mesh_reader.h"
+
+#include "convert/gltf/asset.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace yarte::convert::gltf {
+namespace {
+
+/// A primitive wherever it stands.
+struct Piece {
+    const Primitive* primitive = nullptr;
+    std::uint32_t node = 0;
+    std::vector<Transform> places;
+};
+
+/// Nothing after reporting an error.
+std::optional<std::vector<Piece>> piecesOf(Asset& asset) {
+    std::vector<Piece> pieces;
+    for (const std::uint32_t id : asset.hierarchy().shown()) {
+        const Node& node = asset.document().nodes[id];
+        if (!node.mesh) continue;
+        const auto places = instancesOf(id, asset.hierarchy(), asset.content());
+        if (!places) return std::nullopt;
+        for (const Primitive& primitive : asset.document().meshes[*node.mesh].primitives)
+            if (primitive.hasTriangles() && primitive.position) pieces.push_back({&primitive, id, *places});
+    }
+    return pieces;
+}
+
+void append(MeshData& all, const MeshData& mesh, bool smooth) {
+    const auto offset = [](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
+                           std::size_t first) {
+        std::ranges::transform(from, std::back_inserter(to),
+                               [first](std::uint32_t i) { return i + static_cast<std::uint32_t>(first); });
+    };
+    offset(all.corners, mesh.corners, all.vertices.size());
+    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    for (std::size_t f = 0; f < mesh.faceCount(); ++f) all.faceStarts.push_back(all.faceStarts.back() + 3);
+    if (!smooth) return;
+    offset(all.cornerNormals, mesh.cornerNormals, all.normals.size());
+    all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
+}
+
+/// Room for all pieces in `all`; false after reporting that they need too much.
+bool reserve(MeshData& all, const std::vector<Piece>& pieces, Asset& asset, bool smooth) {
+    std::size_t vertices = 0, corners = 0;
+    for (const Piece& piece : pieces) {
+        const Primitive& p = *piece.primitive;
+        const std::size_t count = asset.document().accessors[*p.position].count;
+        const std::size_t order = p.indices ? asset.document().accessors[*p.indices].count : count;
+        vertices += count * piece.places.size();
+        corners += (p.mode == Mode::triangles ? order : 3 * order) * piece.places.size();
+    }
+    if (!asset.takeRoom({.vertices = vertices, .corners = corners, .smooth = smooth}, asset.root()))
+        return false;
+    if (pieces.size() == 1 && pieces[0].places.size() == 1) return true; // taken as it is
+    all.vertices.reserve(vertices), all.corners.reserve(corners), all.faceStarts.reserve(corners / 3 + 1);
+    if (smooth) all.normals.reserve(vertices), all.cornerNormals.reserve(corners);
+    return true;
+}
+
+std::optional<MeshData> collect(Asset& asset) {
+    const auto pieces = piecesOf(asset);
+    if (!pieces) return std::nullopt;
+    const bool smooth =
+        std::ranges::all_of(*pieces, [](const Piece& piece) { return piece.primitive->normal.has_value(); });
+    MeshData all;
+    if (!reserve(all, *pieces, asset, smooth)) return std::nullopt;
+    for (const Piece& piece : *pieces) {
+        const auto pose = asset.poseOf(piece.node);
+        if (!pose) return std::nullopt;
+        auto mesh = readPrimitive(asset.content(), *piece.primitive, *pose);
+        if (!mesh) return std::nullopt;
+        const bool isPosed = !pose->joints.empty() && !piece.primitive->joints.empty();
+        for (const Transform& place : piece.places) {
+            const bool isOnly = pieces->size() == 1 && piece.places.size() == 1;
+            MeshData placed = isOnly ? std::move(*mesh) : *mesh;
+            if (!isPosed) transform(placed, place);
+            if (isOnly) return placed;
+            append(all, placed, smooth);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+std::optional<MeshData> readMesh(const std::filesystem::path& file, const ReadableFolders& readable, Sources&,
+                                 Diagnostics& diagnostics) {
+    try {
+        const std::string bytes = readFile(file);
+        const auto asset = Asset::open(bytes, file.string(), uriBase(file, readable), diagnostics);
+        if (!asset) return std::nullopt;
+        std::optional<MeshData> mesh = collect(*asset);
+        if (!mesh || asset->errors().any()) return std::nullopt;
+        if (mesh->faceCount() > 0) return mesh;
+        asset->errors().report("gltf.no-triangles", "the scene has no triangles", asset->root());
+    } catch (const FileError& error) {
+        diagnostics.error("gltf.unreadable", fmt::format("cannot read the file: {}", error.reason())).file =
+            file.string();
+    }
+    return std::nullopt;
+}
+
+} // namespace yarte::convert::gltf

@@ -1,0 +1,79 @@
+#include "convert/gltf/write_view.h"
+
+#include "convert/gltf/exact_store.h"
+#include "convert/gltf/light_map.h"
+#include "convert/gltf/write_node.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace yarte::convert::gltf {
+namespace {
+
+/// The largest component of a vector first, so that no square overflows.
+Vec3 direction(Vec3 v) { return normalised(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
+
+/// glTF's cameras look along -z, their top is +y.
+Frame cameraAxes(const Camera& camera) {
+    const Vec3 back = direction(camera.position - camera.focus);
+    const Vec3 right = direction(cross(direction(camera.up), back));
+    return {right, cross(back, right), back};
+}
+
+} // namespace
+
+std::size_t writeCamera(const Camera& camera, const std::optional<Extent>& extent, Output& output) {
+    constexpr double toRadians = std::numbers::pi / 180;
+    const double vertical = camera.verticalApertureDegrees * toRadians,
+                 horizontal = camera.horizontalApertureDegrees * toRadians;
+    const double yfov = 2 * vertical, aspectRatio = std::tan(horizontal) / std::tan(vertical);
+    // Viewers need a nearest distance; YARTE has none.
+    const double distance = extent ? length(extent->middle - camera.position) + extent->radius : 0;
+    const double znear = distance > 0 && std::isfinite(distance) ? 1e-3 * distance : 1e-3;
+    const std::size_t index =
+        output.add("cameras", object({{"type", json("perspective")},
+                                      {"perspective", object({{"yfov", json(yfov)},
+                                                              {"aspectRatio", json(aspectRatio)},
+                                                              {"znear", json(znear)}})}}));
+    const Frame axes = cameraAxes(camera);
+    Json node = object({{"name", json("camera")}, {"camera", json(index)}});
+    setTransform(node, axes, 1, camera.position);
+    set(node, "extras", extrasOf(camera, {axes.x, axes.y, axes.z, camera.position}, yfov, aspectRatio));
+    return output.add("nodes", std::move(node));
+}
+
+double intensityOf(const Light& light, const std::optional<Extent>& extent) {
+    double distance = extent ? length(light.position - extent->middle) : 1;
+    if (distance == 0) distance = extent->radius; // within the bodies
+    return candelaOfBrightness(maxComponent(light.brightness), distance);
+}
+
+std::vector<std::size_t> writeLights(const std::vector<Light>& lights, const std::optional<Extent>& extent,
+                                     Output& output) {
+    constexpr const char* extension = "KHR_lights_punctual";
+    std::vector<std::size_t> nodes;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const Light& light = lights[i];
+        const Colour brightness = light.brightness;
+        const ShownLight shown{isBlack(brightness) ? Colour{1, 1, 1}
+                                                   : brightness * (1 / maxComponent(brightness)),
+                               intensityOf(light, extent)};
+        const std::string name = fmt::format("light {}", i + 1);
+        const std::size_t index = output.add(extension, "lights",
+                                             object({{"type", json("point")},
+                                                     {"name", json(name)},
+                                                     {"color", json(shown.colour)},
+                                                     {"intensity", json(shown.intensity)}}));
+        Json node = object({{"name", json(name)}});
+        setTransform(node, {}, 1, light.position);
+        set(node, "extensions", object({{extension, object({{"light", json(index)}})}}));
+        set(node, "extras", extrasOf(light, i, shown));
+        nodes.push_back(output.add("nodes", std::move(node)));
+    }
+    return nodes;
+}
+
+} // namespace yarte::convert::gltf
