@@ -1,66 +1,96 @@
 #include "validate/case.h"
 
+#include "validate/case_folder.h"
 #include "validate/case_names.h"
-#include "validate/display.h"
+#include "validate/judging.h"
 #include "validate/text.h"
+#include "validate/tolerance_json.h"
 #include "yarte/base/file.h"
 
+#include <algorithm>
 #include <fmt/format.h>
-#include <optional>
 
 namespace yarte::validate {
 
 namespace {
 
-/// The case's folder in the report.
-class CaseFolder {
-public:
-    /// Nothing of an earlier run may seem to belong to this one; what is not ours stays.
-    CaseFolder(CaseReport& report, const std::filesystem::path& output)
-        : report_(report), path_(output / folderOf(report)) {
-        std::filesystem::create_directories(path_);
-        for (const char* file : {yartePictureFile, povrayPictureFile, povraySceneFile, "yarte.png",
-                                 "povray.png", "a.png", "b.png", "difference.png"})
-            std::filesystem::remove(path_ / file);
-    }
+/// What the parts of a case work on.
+struct Case {
+    CaseReport& report;
+    const CaseSettings& settings;
+    Side a, b;
+    Tolerance tolerance;
+    AovSource makeAov;
+    std::optional<FlipMap> flip;
 
-    void keep(const Workshop& workshop, const std::string& file) const {
-        if (std::filesystem::exists(workshop.file(file)))
-            writeFile(path_ / file, readFile(workshop.file(file)));
+    /// Throws CaseError if the pictures cannot be compared.
+    void compareSides() {
+        flip = judgeCase(report, {a.name, *a.picture}, {b.name, *b.picture}, tolerance, makeAov);
     }
-    void addPicture(const std::string& label, const std::string& file, const DisplayPicture& picture) {
-        writeFile(path_ / file, encodePng(picture));
-        report_.pictures.push_back({label, file});
+    void setSize(const Picture& picture) {
+        report.width = picture.width;
+        report.height = picture.height;
     }
-
-private:
-    CaseReport& report_;
-    std::filesystem::path path_;
+    void expose(double exposure) {
+        report.exposure = exposure;
+        a.picture = scaled(std::move(*a.picture), exposure);
+    }
 };
 
-/// A picture with its name in messages and in the report, and its file there.
-struct Side {
-    std::string name, label, file;
-    std::optional<Picture> picture;
-};
-
-/// Both pictures if they are there, and their difference.
-void addPictures(CaseFolder& folder, const Side& a, const Side& b, const Tolerance& tolerance) {
-    for (const Side* side : {&a, &b})
-        if (side->picture) folder.addPicture(side->label, side->file, displayPicture(side->picture->view()));
-    if (a.picture && b.picture && a.picture->width == b.picture->width &&
-        a.picture->height == b.picture->height)
-        folder.addPicture("difference", "difference.png",
-                          differencePicture(a.picture->view(), b.picture->view(), tolerance.threshold));
+/// That of a file, if one is named, else the scene's. Throws CaseError with all that is wrong in it.
+Tolerance sceneTolerance(const std::filesystem::path& scene, const std::filesystem::path& named) {
+    try {
+        return toleranceFor(scene, named);
+    } catch (const ToleranceError& error) {
+        throw CaseError(cleanText(error.what()));
+    } catch (const FileError& error) {
+        throw CaseError(cleanText(error.what()));
+    }
 }
 
-void compareSides(CaseReport& report, const Side& a, const Side& b, const Tolerance& tolerance) {
-    decide(report, compare({a.name, *a.picture}, {b.name, *b.picture}, tolerance), tolerance);
+/// As a file of integers would hold it.
+Picture clipped(Picture picture) {
+    for (Colour& c : picture.pixels)
+        c = {std::clamp(c.r, 0.0, 1.0), std::clamp(c.g, 0.0, 1.0), std::clamp(c.b, 0.0, 1.0)};
+    return picture;
 }
 
-void setSize(CaseReport& report, const Picture& picture) {
-    report.width = picture.width;
-    report.height = picture.height;
+/// The case's `b` by POV-Ray. A scene of its own cannot be darkened by a factor: it clips, and so do we.
+void addPovray(Case& c, Workshop& workshop, const std::filesystem::path& original,
+               const std::filesystem::path& scene) {
+    const RenderSettings& render = c.settings.render;
+    if (isPovrayScene(original)) {
+        c.a.picture = clipped(std::move(*c.a.picture));
+    } else {
+        c.expose(exposureFor(maxValue(c.a.picture->view())));
+        convertForPovray(workshop, render, scene, c.report.exposure);
+    }
+    c.b.picture = renderWithPovray(workshop, render, isPovrayScene(original) ? original : povraySceneFile,
+                                   c.report.width, c.report.height, c.report.povray);
+    c.compareSides();
+}
+
+/// The case's `b` from the baseline, which gets the new picture if that is wanted.
+void addBaseline(Case& c) {
+    const Baseline& baseline = *c.settings.baseline;
+    const bool update = c.settings.updateBaseline, isNew = !baseline.has(c.report.name);
+    const Picture rendered = *c.a.picture;
+    c.expose(exposureFor(maxValue(rendered.view())));
+    BaselineChange change{BaselineChange::Kind::added, {}};
+    if (!update || !isNew) {
+        c.b.picture = scaled(baseline.read(c.report.name), c.report.exposure);
+        change.kind = BaselineChange::Kind::changed;
+        if (!update || haveOneSize(*c.a.picture, *c.b.picture)) {
+            c.compareSides();
+            change.maxAbs = c.report.comparison->maxAbs.value;
+            if (change.maxAbs == 0) change.kind = BaselineChange::Kind::unchanged;
+        }
+    }
+    if (!update) return;
+    if (change.kind != BaselineChange::Kind::unchanged) baseline.store(c.report.name, rendered);
+    c.report.baselineChange = change;
+    c.report.verdict = Verdict::pass; // what is seen is now what is expected
+    c.report.message.clear();
 }
 
 } // namespace
@@ -72,25 +102,30 @@ CaseReport validateScene(const std::string& name, const std::filesystem::path& s
     report.source = cleanText(scene.string());
     CaseFolder folder(report, settings.output);
     Workshop workshop(settings.temporaryFolder, settings.timeLimit, stop);
-    Side yarte{"yarte's picture", "YARTE", "yarte.png", {}};
-    Side povray{"POV-Ray's picture", "POV-Ray", "povray.png", {}};
-    const auto path = std::filesystem::absolute(scene);
+    Case c{report, settings, {"yarte's picture", "YARTE", "yarte.png", {}}, {}, {}, {}, {}};
+    if (settings.baseline != nullptr)
+        c.b = {"the reference", "reference", "baseline.png", {}};
+    else
+        c.b = {"POV-Ray's picture", "POV-Ray", "povray.png", {}};
+    const auto original = std::filesystem::absolute(scene);
     try {
-        yarte.picture = renderWithYarte(workshop, settings.render, path, report.yarte);
-        setSize(report, *yarte.picture);
-        checkFinite({yarte.name, *yarte.picture});
-        report.exposure = exposureFor(maxValue(yarte.picture->view()));
-        yarte.picture = scaled(std::move(*yarte.picture), report.exposure);
-        povray.picture = renderWithPovray(workshop, settings.render, path, report.exposure, report.width,
-                                          report.height, report.povray);
-        compareSides(report, yarte, povray, settings.tolerance);
+        c.tolerance = sceneTolerance(original, settings.tolerance);
+        const std::filesystem::path own = importScene(workshop, settings.render, original);
+        c.makeAov = [&, own] { return renderAov(workshop, settings.render, own); };
+        c.a.picture = renderWithYarte(workshop, settings.render, own, report.yarte);
+        c.setSize(*c.a.picture);
+        checkFinite({c.a.name, *c.a.picture});
+        if (settings.baseline != nullptr)
+            addBaseline(c);
+        else
+            addPovray(c, workshop, original, own);
     } catch (const CaseError& error) {
         report.message = error.what();
     }
     report.commands = workshop.commands();
-    for (const char* file : {yartePictureFile, povrayPictureFile, povraySceneFile})
+    for (const char* file : {yartePictureFile, povrayPictureFile, povraySceneFile, importedSceneFile})
         folder.keep(workshop, file);
-    addPictures(folder, yarte, povray, settings.tolerance);
+    folder.addPictures(c.a, c.b, c.flip, c.tolerance.threshold, settings.pageLimit);
     return report;
 }
 
@@ -100,19 +135,25 @@ CaseReport validateImages(const std::filesystem::path& a, const std::filesystem:
     report.name = folderName(a.stem().string() + "-" + b.stem().string());
     report.source = cleanText(fmt::format("{} and {}", a.string(), b.string()));
     CaseFolder folder(report, settings.output);
-    Side first{cleanText(a.string()), cleanText(a.filename().string()), "a.png", {}};
-    Side second{cleanText(b.string()), cleanText(b.filename().string()), "b.png", {}};
+    Case c{report,
+           settings,
+           {cleanText(a.string()), cleanText(a.filename().string()), "a.png", {}},
+           {cleanText(b.string()), cleanText(b.filename().string()), "b.png", {}},
+           {},
+           {},
+           {}};
     try {
-        first.picture = readPicture(a, integers);
-        second.picture = readPicture(b, integers);
-        setSize(report, *first.picture);
-        compareSides(report, first, second, settings.tolerance);
+        if (!settings.tolerance.empty()) c.tolerance = sceneTolerance(a, settings.tolerance);
+        c.a.picture = readPicture(a, integers);
+        c.b.picture = readPicture(b, integers);
+        c.setSize(*c.a.picture);
+        c.compareSides();
     } catch (const CaseError& error) {
         report.message = error.what();
     } catch (const ImageError& error) {
         report.message = cleanText(error.what());
     }
-    addPictures(folder, first, second, settings.tolerance);
+    folder.addPictures(c.a, c.b, c.flip, c.tolerance.threshold, settings.pageLimit);
     return report;
 }
 

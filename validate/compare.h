@@ -24,11 +24,13 @@ struct NamedPicture {
 /// Throws CaseError if the picture has a nan or an infinity: it cannot be compared.
 void checkFinite(const NamedPicture&);
 
-/// Throws CaseError if the sizes differ or a value is not finite.
-Comparison compare(const NamedPicture& a, const NamedPicture& b, const Tolerance&);
+struct Compared {
+    Comparison numbers;
+    FlipMap flip;
+};
 
-/// Sets the case's comparison, verdict and, if it fails, message.
-void decide(CaseReport&, const Comparison&, const Tolerance&);
+/// Pixels count as over `threshold`. Throws CaseError if the sizes differ or a value is not finite.
+Compared compare(const NamedPicture& a, const NamedPicture& b, double threshold);
 
 /// The factor 2^-k, k >= 0, just small enough that `max` times it is at most 1.
 double exposureFor(double max);

@@ -79,7 +79,12 @@ private:
     std::vector<Vec3> lab_;
 };
 
-double poweredHyab(Vec3 a, Vec3 b) { return std::pow(hyab(a, b), 0.7); }
+/// In single precision, which the map has: it takes a third of the time.
+double power(double base, double exponent) {
+    return static_cast<double>(std::pow(static_cast<float>(base), static_cast<float>(exponent)));
+}
+
+double poweredHyab(Vec3 a, Vec3 b) { return power(hyab(a, b), 0.7); }
 
 /// The colour difference in [0, 1]: small ones take 95 % of the range [Andersson20, eq. 4].
 double colourDifference(Vec3 a, Vec3 b) {
@@ -108,7 +113,7 @@ FlipMap flipMap(ImageView reference, ImageView test, double pixelsPerDegree) {
         b.moveTo(y);
         for (std::size_t x = 0; x < static_cast<std::size_t>(map.width); ++x) {
             const double colour = colourDifference(a.colour(x), b.colour(x));
-            map.values.push_back(static_cast<float>(std::pow(colour, 1 - featureDifference(a, b, x))));
+            map.values.push_back(static_cast<float>(power(colour, 1 - featureDifference(a, b, x))));
         }
     }
     return map;

@@ -66,15 +66,26 @@ Stored readStored(const std::filesystem::path& file) {
     return readByOpenImageIO(file);
 }
 
-} // namespace
+Layers readLayersByOpenImageIO(const std::filesystem::path& file) {
+    const auto input = OIIO::ImageInput::open(file.string());
+    if (!input) throw ImageError(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    Layers layers{spec.width, spec.height, {}, spec.get_string_attribute("yarte.scene")};
+    const std::vector<float> values = readChannels<float>(*input, OIIO::TypeDesc::FLOAT);
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    for (std::size_t c = 0; c < channels; ++c) {
+        std::vector<float>& channel = layers.channels[spec.channelnames[c]];
+        channel.reserve(spec.image_pixels());
+        for (std::size_t i = c; i < values.size(); i += channels) channel.push_back(values[i]);
+    }
+    return layers;
+}
 
-Picture readPicture(const std::filesystem::path& file, Encoding integers) {
+/// What `read` gives; whatever goes wrong becomes an ImageError that names the file.
+template <class Read>
+auto orImageError(const std::filesystem::path& file, Read read) {
     try {
-        Stored stored = readStored(file);
-        if (stored.integers && integers == Encoding::srgb)
-            std::transform(stored.picture.pixels.begin(), stored.picture.pixels.end(),
-                           stored.picture.pixels.begin(), decoded);
-        return std::move(stored.picture);
+        return read();
     } catch (const FileError& error) {
         throw ImageError(error.what());
     } catch (const std::runtime_error& error) {
@@ -82,6 +93,20 @@ Picture readPicture(const std::filesystem::path& file, Encoding integers) {
     } catch (const std::bad_alloc&) {
         throw ImageError(fmt::format("{}: does not fit into memory", file.string()));
     }
+}
+
+} // namespace
+
+Picture readPicture(const std::filesystem::path& file, Encoding integers) {
+    Stored stored = orImageError(file, [&] { return readStored(file); });
+    if (stored.integers && integers == Encoding::srgb)
+        std::transform(stored.picture.pixels.begin(), stored.picture.pixels.end(),
+                       stored.picture.pixels.begin(), decoded);
+    return std::move(stored.picture);
+}
+
+Layers readLayers(const std::filesystem::path& file) {
+    return orImageError(file, [&] { return readLayersByOpenImageIO(file); });
 }
 
 std::string encodePng(const DisplayPicture& picture) {

@@ -1,12 +1,13 @@
 // yarte-validate: renders scenes with YARTE and POV-Ray, compares, and reports.
-#include "validate/case.h"
-#include "validate/case_names.h"
+#include "validate/baseline.h"
 #include "validate/options.h"
+#include "validate/report_annotations.h"
 #include "validate/report_html.h"
 #include "validate/report_json.h"
 #include "validate/report_junit.h"
 #include "validate/report_markdown.h"
 #include "validate/report_text.h"
+#include "validate/run.h"
 #include "yarte/base/diagnostic.h"
 #include "yarte/base/file.h"
 #include "yarte/version.h"
@@ -86,47 +87,22 @@ void writeReport(const Report& report, const fs::path& folder) {
     writeFile(folder / "report.json", jsonReport(report));
     writeFile(folder / "junit.xml", junitReport(report));
     writeFile(folder / "summary.md", markdownReport(report));
-    writeFile(folder / "index.html", htmlReport(report, folder));
-}
-
-Report runCases(const Options& options, const StopSignal& stop) {
-    CaseSettings settings;
-    settings.timeLimit = options.timeLimit;
-    settings.temporaryFolder = fs::temp_directory_path();
-    settings.output = options.output;
-    Report report;
-    report.version = version;
-    const bool coloured = ::isatty(STDOUT_FILENO) != 0 && environment("NO_COLOR").empty();
-    const auto add = [&](CaseReport c) {
-        print(stdout, consoleLine(c, coloured));
-        report.cases.push_back(std::move(c));
-    };
-    if (options.scenes.empty()) {
-        report.encoding =
-            options.integers == Encoding::srgb
-                ? "Integer images were read as sRGB, floating-point ones as linear"
-                : "All images were read as linear, integers as fractions of their largest value";
-        add(validateImages(options.imageA, options.imageB, options.integers, settings));
-        return report;
-    }
-    report.encoding = "YARTE's pictures are linear 32-bit floats, POV-Ray's linear 16-bit integers";
-    settings.render = {locatePrograms(options), options.size, options.processes};
-    const std::vector<std::string> names = caseNames(options.scenes);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        stop.check();
-        add(validateScene(names[i], options.scenes[i], settings, stop));
-    }
-    return report;
+    writeFile(folder / "index.html", htmlReport(report));
 }
 
 int validateAll(const Options& options) {
     prepareFolder(options.output);
     const StopSignal stop;
-    const Report report = runCases(options, stop);
-    stop.check();
+    const bool coloured = ::isatty(STDOUT_FILENO) != 0 && environment("NO_COLOR").empty();
+    const RunResult result = runCases(options, locatePrograms(options), stop,
+                                      [&](const CaseReport& c) { print(stdout, consoleLine(c, coloured)); });
+    const Report& report = result.report;
     writeReport(report, options.output);
+    if (options.updateBaseline) print(stdout, baselineLine(report, result.removed) + "\n");
     print(stdout,
           fmt::format("{}\nreport: {}\n", summaryLine(report), (options.output / "index.html").string()));
+    if (environment("GITHUB_ACTIONS") == "true")
+        print(stdout, githubAnnotations(report, environment("GITHUB_WORKSPACE")));
     switch (report.verdict()) {
     case Verdict::pass: return exitGood;
     case Verdict::fail: return exitDiffers;

@@ -41,6 +41,22 @@ void declare(CLI::App& app, Options& options) {
                    "Worker processes of yarte and threads of POV-Ray. Default: one per core")
         ->type_name("N")
         ->check(quiet(CLI::NonNegativeNumber));
+    app.add_option("--jobs", options.jobs,
+                   "Cases that run side by side; they share the cores unless --processes is given.\n"
+                   "Default: one per core. With 1, times are those of a machine that does nothing else")
+        ->type_name("N")
+        ->check(quiet(CLI::PositiveNumber));
+    app.add_option("--tolerance", options.tolerance,
+                   "Tolerance of all cases (JSON). Default: tolerance.json beside each scene, else 4/65535")
+        ->type_name("FILE");
+    app.add_option("--cache", options.cache, "Folder where POV-Ray's pictures are kept, to be used again")
+        ->type_name("DIR");
+    CLI::Option* const baseline = app.add_option("--baseline", options.baseline,
+                                                 "Compare with the pictures kept there, not with POV-Ray's")
+                                      ->type_name("DIR");
+    app.add_flag("--update-baseline", options.updateBaseline,
+                 "Put the new pictures there and say what changed")
+        ->needs(baseline);
     app.add_option("--time-limit", options.timeLimit, "Seconds that each program may run")
         ->type_name("S")
         ->capture_default_str()
@@ -82,6 +98,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
         app.parse(argc, argv);
         if (images.parsed() && !options.scenes.empty())
             throw CLI::ValidationError("images", "compares two files and takes no scenes");
+        if (images.parsed() && !options.baseline.empty())
+            throw CLI::ValidationError("--baseline", "is for scenes, not for images");
         if (!images.parsed() && options.scenes.empty()) throw CLI::RequiredError("SCENE");
     } catch (const CLI::CallForHelp&) {
         return {std::nullopt, images.parsed() ? images.help("yarte-validate") : app.help(), 0};

@@ -17,6 +17,11 @@ struct Options {
     std::filesystem::path output;              ///< the report's folder
     std::string size;                          ///< "WxH" or empty
     std::optional<int> processes;
+    std::optional<int> jobs;         ///< cases side by side
+    std::filesystem::path tolerance; ///< of all cases; empty: each scene's own
+    std::filesystem::path cache;     ///< of POV-Ray's pictures; empty: none
+    std::filesystem::path baseline;  ///< compare with this one; empty: with POV-Ray
+    bool updateBaseline = false;
     double timeLimit = 600;                       ///< seconds for each program
     std::filesystem::path yarte, convert, povray; ///< empty: to be searched
     bool jsonDiagnostics = false;

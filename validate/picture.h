@@ -20,6 +20,10 @@ struct Picture {
     ImageView view() const { return {width, height, pixels.data()}; }
 };
 
+inline bool haveOneSize(const Picture& a, const Picture& b) {
+    return a.width == b.width && a.height == b.height;
+}
+
 /// The picture with every value multiplied by `factor`.
 inline Picture scaled(Picture picture, double factor) {
     for (Colour& colour : picture.pixels) colour = colour * factor;

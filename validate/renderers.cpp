@@ -1,5 +1,6 @@
 #include "validate/renderers.h"
 
+#include "validate/digest.h"
 #include "validate/image_file.h"
 #include "validate/report_json.h"
 #include "validate/text.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr std::uint64_t povrayMemoryLimit = 8ull << 30;
 
 constexpr const char* yarteStatisticsFile = "yarte.json";
+constexpr const char* aovFile = "aov.exr";
+constexpr const char* aovPictureFile = "aov.pfm"; // not the one that was compared: nothing may touch that
 constexpr const char* povrayStatisticsFile = "povray-statistics.txt";
 constexpr const char* povrayErrorFile = "povray-error.txt";
 
@@ -55,27 +58,81 @@ Picture pictureOf(const Workshop& workshop, const char* name, const char* file) 
     }
 }
 
+std::vector<std::string> yarteCommand(const RenderSettings& settings, const std::filesystem::path& scene,
+                                      const std::vector<std::string>& outputs) {
+    std::vector<std::string> command = {found(settings.programs.yarte, "yarte", "--yarte"), scene};
+    command.insert(command.end(), outputs.begin(), outputs.end());
+    command.insert(command.end(), {"--progress", "none"});
+    if (!settings.size.empty()) command.insert(command.end(), {"--size", settings.size});
+    if (settings.processes)
+        command.insert(command.end(), {"--processes", std::to_string(*settings.processes)});
+    return command;
+}
+
 /// POV-Ray has threads where YARTE has processes. 0 processes is YARTE's reference in a single process.
 int povrayThreads(const RenderSettings& settings) {
     const int cores = static_cast<int>(std::thread::hardware_concurrency());
     return std::max(1, settings.processes.value_or(cores));
 }
 
+std::vector<std::string> povrayCommand(const RenderSettings& settings, const std::filesystem::path& scene,
+                                       int width, int height) {
+    // 16-bit linear values, one ray through each pixel's centre, no console but errors and statistics in
+    // files.
+    std::vector<std::string> command = {found(settings.programs.povray, "povray", "--povray"),
+                                        fmt::format("+I{}", scene.string()),
+                                        fmt::format("+O{}", povrayPictureFile),
+                                        "+FP16",
+                                        fmt::format("+W{}", width),
+                                        fmt::format("+H{}", height),
+                                        "-D",
+                                        "-A",
+                                        "-P",
+                                        fmt::format("+WT{}", povrayThreads(settings)),
+                                        "+Q9",
+                                        "File_Gamma=1",
+                                        "-GA",
+                                        fmt::format("+GF{}", povrayErrorFile),
+                                        fmt::format("+GS{}", povrayStatisticsFile)};
+    if (scene.is_absolute()) command.push_back(fmt::format("+L{}", scene.parent_path().string()));
+    return command;
+}
+
+PovrayTimes runPovray(Workshop& workshop, const std::vector<std::string>& command) {
+    const ProgramResult result = workshop.run(command, povrayMemoryLimit);
+    const std::string said = cleanText(textIfThere(workshop.file(povrayErrorFile)));
+    demandSuccess("povray", result, said.empty() ? result.errorText : said);
+    const std::string statistics = textIfThere(workshop.file(povrayStatisticsFile));
+    return {povraySeconds(statistics, "Parse Time"), povraySeconds(statistics, "Trace Time"), result.seconds,
+            false};
+}
+
+/// All that decides POV-Ray's picture of a scene that includes no other file: the program, its options, the
+/// scene.
+std::string cacheInput(const Workshop& workshop, const std::vector<std::string>& command) {
+    const std::filesystem::path program = std::filesystem::canonical(command[0]);
+    std::string input = fmt::format("{} {}\n", digest(readFile(program)), program.filename().string());
+    for (std::size_t i = 1; i < command.size(); ++i) input += command[i] + "\n";
+    return input + readFile(workshop.file(povraySceneFile));
+}
+
 } // namespace
+
+bool isPovrayScene(const std::filesystem::path& scene) { return scene.extension() == ".pov"; }
+
+std::filesystem::path importScene(Workshop& workshop, const RenderSettings& settings,
+                                  const std::filesystem::path& scene) {
+    if (scene.extension() == ".yarte") return scene;
+    const std::string convert = found(settings.programs.convert, "yarte-convert", "--convert");
+    const ProgramResult conversion = workshop.run({convert, scene, importedSceneFile});
+    demandSuccess("yarte-convert", conversion, conversion.errorText);
+    return importedSceneFile; // relative, so that reports of the same scene have the same text
+}
 
 Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
                         const std::filesystem::path& scene, YarteTimes& times) {
-    std::vector<std::string> command = {found(settings.programs.yarte, "yarte", "--yarte"),
-                                        scene,
-                                        "-o",
-                                        yartePictureFile,
-                                        "--progress",
-                                        "none",
-                                        "--stats",
-                                        yarteStatisticsFile};
-    if (!settings.size.empty()) command.insert(command.end(), {"--size", settings.size});
-    if (settings.processes)
-        command.insert(command.end(), {"--processes", std::to_string(*settings.processes)});
+    const std::vector<std::string> command =
+        yarteCommand(settings, scene, {"-o", yartePictureFile, "--stats", yarteStatisticsFile});
     const ProgramResult result = workshop.run(command);
     times.wall = result.seconds;
     demandSuccess("yarte", result, result.errorText);
@@ -83,30 +140,44 @@ Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
     return pictureOf(workshop, "yarte", yartePictureFile);
 }
 
-Picture renderWithPovray(Workshop& workshop, const RenderSettings& settings,
-                         const std::filesystem::path& scene, double exposure, int width, int height,
-                         PovrayTimes& times) {
+Aov renderAov(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
+    const ProgramResult result =
+        workshop.run(yarteCommand(settings, scene, {"-o", aovPictureFile, "--aov", aovFile}));
+    demandSuccess("yarte --aov", result, result.errorText);
+    try {
+        return aovFrom(readLayers(workshop.file(aovFile)));
+    } catch (const ImageError& error) {
+        throw CaseError(cleanText(error.what()));
+    }
+}
+
+void convertForPovray(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene,
+                      double exposure) {
+    found(settings.programs.povray, "povray", "--povray"); // what is missing is said before anything is done
     const std::string convert = found(settings.programs.convert, "yarte-convert", "--convert");
-    const std::string povray = found(settings.programs.povray, "povray", "--povray");
     const ProgramResult conversion =
         workshop.run({convert, scene, povraySceneFile, "--exposure", printNumber(exposure)});
     demandSuccess("yarte-convert", conversion, conversion.errorText);
+}
 
-    // 16-bit linear values, one ray through each pixel's centre, no console but errors and statistics in
-    // files.
-    const ProgramResult result =
-        workshop.run({povray, fmt::format("+I{}", povraySceneFile), fmt::format("+O{}", povrayPictureFile),
-                      "+FP16", fmt::format("+W{}", width), fmt::format("+H{}", height), "-D", "-A", "-P",
-                      fmt::format("+WT{}", povrayThreads(settings)), "+Q9", "File_Gamma=1", "-GA",
-                      fmt::format("+GF{}", povrayErrorFile), fmt::format("+GS{}", povrayStatisticsFile)},
-                     povrayMemoryLimit);
-    times.wall = result.seconds;
-    const std::string said = cleanText(textIfThere(workshop.file(povrayErrorFile)));
-    demandSuccess("povray", result, said.empty() ? result.errorText : said);
-    const std::string statistics = textIfThere(workshop.file(povrayStatisticsFile));
-    times.parse = povraySeconds(statistics, "Parse Time");
-    times.trace = povraySeconds(statistics, "Trace Time");
-    return pictureOf(workshop, "povray", povrayPictureFile);
+Picture renderWithPovray(Workshop& workshop, const RenderSettings& settings,
+                         const std::filesystem::path& scene, int width, int height, PovrayTimes& times) {
+    const std::vector<std::string> command = povrayCommand(settings, scene, width, height);
+    if (!settings.cache || scene.is_absolute()) {
+        times = runPovray(workshop, command);
+        return pictureOf(workshop, "povray", povrayPictureFile);
+    }
+    const std::string input = cacheInput(workshop, command);
+    if (const auto entry = settings.cache->find(input)) {
+        writeFile(workshop.file(povrayPictureFile), entry->picture);
+        workshop.record(command, "not run: its picture is in the cache");
+        times = entry->times;
+        return pictureOf(workshop, "povray", povrayPictureFile);
+    }
+    times = runPovray(workshop, command);
+    Picture picture = pictureOf(workshop, "povray", povrayPictureFile); // before it is kept: it can be read
+    settings.cache->store(input, {readFile(workshop.file(povrayPictureFile)), times});
+    return picture;
 }
 
 std::optional<double> povraySeconds(std::string_view statistics, std::string_view label) {

@@ -16,6 +16,18 @@ Verdict Report::verdict() const {
 
 std::string folderOf(const CaseReport& c) { return "images/" + c.name; }
 
+std::vector<Finding> causes(const CaseReport& c) {
+    constexpr std::size_t most = 3;
+    if (c.explanation.common) return {*c.explanation.common};
+    std::vector<Finding> found;
+    for (const Region& region : c.explanation.regions) {
+        const auto isKnown = [&](const Finding& f) { return f.explanation == region.finding.explanation; };
+        if (found.size() < most && std::none_of(found.begin(), found.end(), isKnown))
+            found.push_back(region.finding);
+    }
+    return found;
+}
+
 std::optional<double> speedRatio(const CaseReport& c) {
     const auto yarte = c.yarte.trace, povray = c.povray.trace;
     if (!yarte || !povray || *yarte <= 0 || *povray <= 0) return std::nullopt;

@@ -3,6 +3,9 @@
 
 #include "validate/flip.h"
 #include "validate/metrics.h"
+#include "validate/page_pixels.h"
+#include "validate/region.h"
+#include "validate/tolerance.h"
 #include "validate/verdict.h"
 
 #include <optional>
@@ -34,6 +37,7 @@ struct YarteTimes {
 };
 struct PovrayTimes {
     std::optional<double> parse, trace, wall;
+    bool cached = false; ///< they are those of an earlier run, whose picture was kept
 };
 
 /// A picture of a case: its name in the report and its file in the case's folder.
@@ -41,23 +45,39 @@ struct PictureRecord {
     std::string label, file;
 };
 
+/// What a case did to the stored references; see baseline.h.
+struct BaselineChange {
+    enum class Kind { added, changed, unchanged };
+    Kind kind = Kind::unchanged;
+    /// Of the old reference and the new, linear light at the case's exposure; none: their sizes differ.
+    std::optional<double> maxAbs = 0.0;
+};
+
 struct CaseReport {
-    std::string name;   ///< unique in the report; also the name of its folder
-    std::string source; ///< what was compared: the scene, or the two images
+    std::string name;     ///< unique in the report; also the name of its folder
+    std::string source;   ///< what was compared: the scene, or the two images
+    std::string sides[2]; ///< what to call the two pictures; "": there is none
     Verdict verdict = Verdict::error;
     std::string message; ///< one or more lines: why it is not a pass; else empty
     int width = 0, height = 0;
     double exposure = 1; ///< both pictures are those of the scene with its light times this
     std::optional<Comparison> comparison;
+    Explanation explanation;                 ///< of what differs
+    std::string tolerance;                   ///< the file of the conditions; empty: the default
+    std::vector<ConditionResult> conditions; ///< how each turned out
+    std::optional<BaselineChange> baselineChange;
     YarteTimes yarte;
     PovrayTimes povray;
     std::vector<CommandRecord> commands;
     std::vector<PictureRecord> pictures; ///< PNGs for people
+    PagePixels page;                     ///< for the page's viewer
 };
 
 struct Report {
     std::string version;
-    std::string encoding; ///< how the numbers in the compared files were read, in words
+    std::string encoding;  ///< how the numbers in the compared files were read, in words
+    std::string reference; ///< what the pictures were compared with, in words
+    int jobs = 1;          ///< so many cases ran side by side
     std::vector<CaseReport> cases;
 
     std::size_t count(Verdict) const;
@@ -67,6 +87,10 @@ struct Report {
 
 /// The folder of a case in the report's folder, with '/'.
 std::string folderOf(const CaseReport&);
+
+/// Why its pictures differ, each cause once: the common one, else those of its largest regions, at most
+/// three.
+std::vector<Finding> causes(const CaseReport&);
 
 /// POV-Ray's trace time divided by YARTE's, if both are known and not 0.
 std::optional<double> speedRatio(const CaseReport&);

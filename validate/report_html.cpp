@@ -3,7 +3,7 @@
 #include "validate/base64.h"
 #include "validate/report_json.h"
 #include "validate/report_page.h" // made by CMake of the files in validate/report
-#include "yarte/base/file.h"
+#include "yarte/base/number.h"
 
 #include <fmt/format.h>
 
@@ -23,16 +23,34 @@ std::string forScript(const std::string& json) {
     return text;
 }
 
-/// {"images/paper/yarte.png": "data:...", ...}. Names of files need no escapes: see caseNames.
-std::string picturesJson(const Report& report, const std::filesystem::path& folder) {
+/// What the page must know to unpack and place a case's pixels, as JSON.
+std::string pageJson(const PagePixels& page) {
+    if (page.width == 0) return "{\"width\": 0, \"thumbnail\": null}";
+    return fmt::format("{{\"width\": {}, \"height\": {}, \"reduction\": {}, \"offset\": {}, \"unit\": {}, "
+                       "\"thumbnail\": \"data:image/png;base64,{}\"}}",
+                       page.width, page.height, page.reduction, printNumber(page.offset),
+                       printNumber(page.unit), base64(page.thumbnail));
+}
+
+std::string pagesJson(const Report& report) {
     std::string json;
     for (const CaseReport& c : report.cases)
-        for (const PictureRecord& picture : c.pictures) {
-            const std::string file = folderOf(c) + "/" + picture.file;
-            json += fmt::format("{}\"{}\": \"data:image/png;base64,{}\"", json.empty() ? "" : ",\n", file,
-                                base64(readFile(folder / file)));
-        }
-    return "{" + json + "}";
+        json += fmt::format("{}{}", json.empty() ? "" : ",\n", pageJson(c.page));
+    return fmt::format("[{}]", json);
+}
+
+/// A block of data for each case: the browser does not look at it before the script does.
+std::string pixelBlocks(const Report& report) {
+    std::string html;
+    for (std::size_t i = 0; i < report.cases.size(); ++i) {
+        const PagePixels& page = report.cases[i].page;
+        if (page.width == 0) continue;
+        html += fmt::format("<script type=\"text/plain\" id=\"pixels-{}\">{}", i, base64(page.reference));
+        if (!page.difference.empty())
+            html += fmt::format(" {} {}", base64(page.difference), base64(page.flip));
+        html += "</script>\n";
+    }
+    return html;
 }
 
 /// `text` with the one place that says `marker` replaced.
@@ -42,12 +60,14 @@ std::string filled(std::string text, std::string_view marker, std::string_view v
 
 } // namespace
 
-std::string htmlReport(const Report& report, const std::filesystem::path& folder) {
-    std::string text(page::index_html);
-    text = filled(std::move(text), "/*style*/", page::style_css);
-    text = filled(std::move(text), "/*script*/", page::script_js);
+std::string htmlReport(const Report& report) {
+    std::string text(page::html);
+    // From the end, so that no marker is looked for in what a report says.
+    text = filled(std::move(text), "/*script*/", page::script);
+    text = filled(std::move(text), "/*pixels*/", pixelBlocks(report));
+    text = filled(std::move(text), "/*pages*/", pagesJson(report));
     text = filled(std::move(text), "/*report*/", forScript(jsonReport(report)));
-    return filled(std::move(text), "/*pictures*/", picturesJson(report, folder));
+    return filled(std::move(text), "/*style*/", page::style);
 }
 
 } // namespace yarte::validate

@@ -3,12 +3,10 @@
 
 #include "validate/report.h"
 
-#include <filesystem>
 #include <string>
 
 namespace yarte::validate {
 
-/// `folder`: where the cases' pictures are. Throws FileError if one cannot be read.
-std::string htmlReport(const Report&, const std::filesystem::path& folder);
+std::string htmlReport(const Report&);
 
 } // namespace yarte::validate

@@ -33,27 +33,62 @@ Json commandJson(const CommandRecord& command) {
     return {{"line", command.line}, {"outcome", command.outcome}, {"wall_s", command.seconds}};
 }
 
+Json findingJson(const Finding& finding) {
+    return {{"cause", name(finding.cause)},
+            {"subject", finding.subject},
+            {"body", finding.body ? Json(*finding.body) : Json()},
+            {"light", finding.light ? Json(*finding.light) : Json()},
+            {"line", finding.line > 0 ? Json(finding.line) : Json()},
+            {"explanation", finding.explanation}};
+}
+
+Json regionJson(const Region& region) {
+    Json json = {{"box", {region.box.x0, region.box.y0, region.box.x1, region.box.y1}},
+                 {"pixels", region.pixels},
+                 {"max_abs", region.maxError},
+                 {"max_abs_at", pair(region.maxErrorAt)}};
+    json.update(findingJson(region.finding));
+    return json;
+}
+
+Json conditionJson(const ConditionResult& condition) {
+    return {{"depth", condition.depth},   {"group", condition.isGroup},     {"text", condition.text},
+            {"holds", condition.holds},   {"measured", condition.measured}, {"limit", condition.limit},
+            {"reason", condition.reason}, {"pointer", condition.pointer}};
+}
+
+template <class Items, class ToJson>
+Json list(const Items& items, const ToJson& toJson) {
+    Json json = Json::array();
+    for (const auto& item : items) json.push_back(toJson(item));
+    return json;
+}
+
 Json caseJson(const CaseReport& report) {
     Json json;
     json["name"] = report.name;
     json["source"] = report.source;
+    json["sides"] = {report.sides[0], report.sides[1]};
     json["verdict"] = name(report.verdict);
     json["message"] = report.message;
     json["width"] = report.width;
     json["height"] = report.height;
     json["exposure"] = report.exposure;
     addComparison(json, report.comparison);
-    json["regions"] = Json::array();
+    json["tolerance"] = report.tolerance;
+    json["conditions"] = list(report.conditions, conditionJson);
+    const auto& common = report.explanation.common;
+    json["cause"] = common ? findingJson(*common) : Json();
+    json["regions"] = list(report.explanation.regions, regionJson);
     json["yarte"] = {{"trace_s", orNull(report.yarte.trace)}, {"wall_s", orNull(report.yarte.wall)}};
     json["povray"] = {{"parse_s", orNull(report.povray.parse)},
                       {"trace_s", orNull(report.povray.trace)},
-                      {"wall_s", orNull(report.povray.wall)}};
-    json["commands"] = Json::array();
-    for (const CommandRecord& command : report.commands) json["commands"].push_back(commandJson(command));
-    json["pictures"] = Json::array();
-    for (const PictureRecord& picture : report.pictures)
-        json["pictures"].push_back(
-            {{"label", picture.label}, {"file", folderOf(report) + "/" + picture.file}});
+                      {"wall_s", orNull(report.povray.wall)},
+                      {"cached", report.povray.cached}};
+    json["commands"] = list(report.commands, commandJson);
+    json["pictures"] = list(report.pictures, [&](const PictureRecord& picture) {
+        return Json{{"label", picture.label}, {"file", folderOf(report) + "/" + picture.file}};
+    });
     return json;
 }
 
@@ -64,8 +99,9 @@ std::string jsonReport(const Report& report) {
     json["schema"] = 1;
     json["version"] = report.version;
     json["encoding"] = report.encoding;
-    json["cases"] = Json::array();
-    for (const CaseReport& c : report.cases) json["cases"].push_back(caseJson(c));
+    json["reference"] = report.reference;
+    json["jobs"] = report.jobs;
+    json["cases"] = list(report.cases, caseJson);
     return json.dump(2) + "\n";
 }
 

@@ -41,12 +41,18 @@ std::string commandLines(const CaseReport& report) {
     return lines;
 }
 
+std::string problemText(const CaseReport& report) {
+    std::string text = report.message;
+    for (const Finding& finding : causes(report)) text += fmt::format("\n{}", finding.explanation);
+    return text;
+}
+
 std::string problem(const CaseReport& report) {
     if (report.verdict == Verdict::pass) return {};
     const char* const element = report.verdict == Verdict::fail ? "failure" : "error";
     const std::string firstLine = report.message.substr(0, report.message.find('\n'));
     return fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element, escaped(firstLine),
-                       name(report.verdict), escaped(report.message));
+                       name(report.verdict), escaped(problemText(report)));
 }
 
 } // namespace
@@ -59,10 +65,11 @@ std::string junitReport(const Report& report) {
                                   "  <testsuite name=\"yarte-validate\" {0} skipped=\"0\">\n",
                                   counts);
     for (const CaseReport& c : report.cases)
-        xml += fmt::format("    <testcase classname=\"yarte-validate\" name=\"{}\" time=\"{:.3f}\">\n{}"
-                           "      <system-out>{}</system-out>\n    </testcase>\n",
-                           escaped(c.name), seconds(c), problem(c),
-                           escaped(caseLine(c) + "\n" + commandLines(c)));
+        xml += fmt::format(
+            "    <testcase classname=\"yarte-validate\" name=\"{}\" file=\"{}\" time=\"{:.3f}\">\n{}"
+            "      <system-out>{}</system-out>\n    </testcase>\n",
+            escaped(c.name), escaped(c.source), seconds(c), problem(c),
+            escaped(caseLine(c) + "\n" + commandLines(c)));
     return xml + "  </testsuite>\n</testsuites>\n";
 }
 

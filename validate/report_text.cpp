@@ -34,9 +34,10 @@ std::string caseLine(const CaseReport& c) {
     if (!c.comparison) return line + "  " + indented(c.message);
     line +=
         fmt::format("  max {}  {} px over", errorText(c.comparison->maxAbs.value), c.comparison->pixelsOver);
-    if (!c.yarte.wall) return line;
-    line += fmt::format("  yarte {}  povray {}", secondsText(c.yarte.trace), secondsText(c.povray.trace));
+    if (c.yarte.wall) line += fmt::format("  yarte {}", secondsText(c.yarte.trace));
+    if (c.povray.wall) line += fmt::format("  povray {}", secondsText(c.povray.trace));
     if (const auto ratio = speedRatio(c)) line += fmt::format(" ({:.1f}x)", *ratio);
+    for (const Finding& finding : causes(c)) line += "\n       " + finding.explanation;
     return line;
 }
 

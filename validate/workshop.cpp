@@ -29,6 +29,10 @@ ProgramResult Workshop::run(const std::vector<std::string>& command, std::uint64
     return result;
 }
 
+void Workshop::record(const std::vector<std::string>& command, const std::string& outcome) {
+    commands_.push_back({cleanText(shellCommand(command)), 0, outcome});
+}
+
 std::string outcome(const ProgramResult& result) {
     if (!result.startError.empty()) return fmt::format("not started: {}", result.startError);
     if (result.timedOut) return fmt::format("stopped after {:.1f} s, the time limit", result.seconds);

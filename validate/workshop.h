@@ -22,6 +22,9 @@ public:
     /// this folder. `memoryLimit` in bytes of address space, 0 for none.
     ProgramResult run(const std::vector<std::string>& command, std::uint64_t memoryLimit = 0);
 
+    /// Records a program that need not be run.
+    void record(const std::vector<std::string>& command, const std::string& outcome);
+
     const std::vector<CommandRecord>& commands() const { return commands_; }
 
 private:

@@ -1,4 +1,4 @@
-#include "validate/compare.h"
+#include "validate/judging.h"
 
 #include "tests/validate/support.h"
 
@@ -13,7 +13,7 @@ using test::constantPicture;
 /// What the CaseError says, or "" if there was none.
 std::string errorOf(const Picture& a, const Picture& b) {
     try {
-        compare({"A", a}, {"B", b}, {});
+        compare({"A", a}, {"B", b}, 0);
     } catch (const CaseError& error) {
         return error.what();
     }
@@ -37,7 +37,7 @@ TEST(Compare, ValuesThatAreNotFiniteAreNamed) {
 
 TEST(Compare, EqualPicturesHaveNoErrorAtAll) {
     const Picture picture = constantPicture(5, 3, {0.25, 0.5, 0.75});
-    const Comparison found = compare({"A", picture}, {"B", picture}, {});
+    const Comparison found = compare({"A", picture}, {"B", picture}, 0).numbers;
     EXPECT_EQ(found.maxAbs.value, 0);
     EXPECT_EQ(found.rmse, 0);
     EXPECT_EQ(found.psnr, std::nullopt);
@@ -52,13 +52,14 @@ TEST(Compare, TheLimitIsFourSixteenBitSteps) {
     CaseReport report;
     report.width = 3;
     report.height = 1;
-    decide(report, compare({"A", other}, {"B", black}, {}), {});
+    judgeCase(report, {"A", other}, {"B", black}, {}, {});
     EXPECT_EQ(report.verdict, Verdict::pass);
     EXPECT_EQ(report.message, "");
     other.pixels[2].r = 4.001 / 65535;
-    decide(report, compare({"A", other}, {"B", black}, {}), {});
+    judgeCase(report, {"A", other}, {"B", black}, {}, {});
     EXPECT_EQ(report.verdict, Verdict::fail);
-    EXPECT_EQ(report.message, "1 of 3 pixels differ by more than 6.104e-05, the most at (2, 0): 6.105e-05");
+    EXPECT_EQ(report.message, "1 of 3 pixels differ by more than 6.104e-05, the most at (2, 0): 6.105e-05\n"
+                              "max_abs <= 4/65535 does not hold: 6.105e-05, 1.00025 times the limit");
 }
 
 TEST(Compare, ExposureIsTheLargestPowerOfTwoThatAvoidsClipping) {

@@ -30,13 +30,15 @@ inline Report sampleReport() {
     CaseReport pass;
     pass.name = "paper";
     pass.source = "scenes/paper/paper.yarte";
+    pass.sides[0] = "YARTE";
+    pass.sides[1] = "POV-Ray";
     pass.verdict = Verdict::pass;
     pass.width = 256;
     pass.height = 128;
     pass.exposure = 0.5;
     pass.comparison = {{7.5e-6, {3, 4}}, 2.5e-6, 112.04, {0.00025, 0.125, {5, 6}}, 0.0001, 0};
     pass.yarte = {0.125, 0.25};
-    pass.povray = {0.5, 0.75, 1.5};
+    pass.povray = {0.5, 0.75, 1.5, true};
     pass.commands = {{"yarte 'a b.yarte' -o yarte.pfm", 0.25, "exit code 0"}};
     pass.pictures = {{"YARTE", "yarte.png"}};
 
@@ -47,13 +49,25 @@ inline Report sampleReport() {
     fail.comparison->psnr.reset();
     fail.comparison->pixelsOver = 2;
     fail.povray.trace.reset();
+    fail.povray.cached = false;
     fail.pictures.clear();
+    Region region;
+    region.box = {10, 20, 12, 21};
+    region.pixels = 2;
+    region.maxError = 0.25;
+    region.maxErrorAt = {11, 20};
+    region.finding = {Cause::body,         3,  {},
+                      "sphere at line 23", 23, "the sphere at line 23 is missing or moved"};
+    fail.explanation = {region.finding, {region}};
+    fail.tolerance = "tolerance.json";
+    fail.conditions = {{0, false, true, "all", 0, 0, "", ""},
+                       {1, false, false, "max_abs <= 4/65535", 0.25, 4.0 / 65535, "glass", "/all/0"}};
 
     CaseReport error;
     error.name = "broken";
     error.source = "a|b & <c>.yarte";
     error.message = "yarte: exit code 1\n</script> & \"quotes\" | pipes";
-    return {"0.1.0", "Linear", {pass, fail, error}};
+    return {"0.1.0", "Linear", "POV-Ray", 2, {pass, fail, error}};
 }
 
 } // namespace yarte::validate::test

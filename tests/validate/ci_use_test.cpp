@@ -1,0 +1,215 @@
+// yarte-validate as CI uses it: side by side, with a cache, against a baseline, on GitHub, on foreign
+// formats.
+#include "tests/validate/command_line.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <regex>
+
+namespace yarte::validate {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+using namespace test;
+
+class CiUse : public CommandLine {
+protected:
+    void addScenes(int count) {
+        for (int i = 0; i < count; ++i) {
+            scenes_.push_back(fmt::format("s{}.yarte", i));
+            writeFile(folder_ / scenes_.back(), "");
+        }
+    }
+    /// A POV-Ray that also counts how often it ran.
+    void installCounting() {
+        install("povray", "#!/bin/sh\necho x >> \"" + (folder_ / "runs").string() + "\"\n" +
+                              with(fakePovray, dimSteps).substr(10));
+    }
+    std::size_t povrayRuns() const {
+        const auto file = folder_ / "runs";
+        return std::filesystem::exists(file) ? readFile(file).size() / 2 : 0;
+    }
+    std::string without(const std::string& file, const std::string& times) const {
+        return std::regex_replace(readFile(folder_ / "out" / file), std::regex(times), "TIME");
+    }
+    std::vector<std::string> scenes_;
+};
+
+TEST_F(CiUse, CasesSideBySideAreReportedInTheirOrder) {
+    addScenes(7);
+    // The first is the slowest.
+    install("yarte", "#!/bin/sh\ncase $1 in *s0*) /bin/sleep 0.3 ;; *s3*) exit 1 ;; esac\n" +
+                         with(fakeYarte, dimPixels).substr(10));
+    EXPECT_EQ(validateScenes(scenes_, {"--jobs", "3"}), 3);
+    std::size_t at = 0;
+    for (const char* line : {"pass   s0", "pass   s1", "pass   s2", "error  s3", "pass   s4", "pass   s5",
+                             "pass   s6", "7 cases: 6 pass, 0 fail, 1 error"}) {
+        at = output_.find(line, at);
+        EXPECT_NE(at, std::string::npos) << line << " is missing or in another place:\n" << output_;
+    }
+    EXPECT_THAT(report(), HasSubstr("\"jobs\": 3"));
+    EXPECT_THAT(readFile(folder_ / "out/summary.md"), HasSubstr("of 3 cases side by side"));
+}
+
+TEST_F(CiUse, OneCaseAfterTheOtherIsNotCalledSideBySide) {
+    addScenes(2);
+    EXPECT_EQ(validateScenes(scenes_, {"--jobs", "1"}), 0);
+    EXPECT_THAT(report(), AllOf(HasSubstr("\"jobs\": 1,"), Not(HasSubstr("--processes"))));
+    EXPECT_EQ(validateScenes(scenes_, {"--jobs", "0"}), 2);
+}
+
+TEST_F(CiUse, AnInterruptStopsAllJobs) {
+    addScenes(4);
+    install("povray", "#!/bin/sh\nkill -INT $PPID; exec /bin/sleep 600\n");
+    EXPECT_EQ(validateScenes(scenes_, {"--jobs", "2"}), 130);
+    EXPECT_FALSE(wrote("report.json"));
+}
+
+TEST_F(CiUse, TheSameRunGivesTheSameBytesButForTimes) {
+    addScenes(3);
+    install("yarte", "#!/bin/sh\ncase $1 in *s1*) echo 's1.yarte:1:2: error: no' >&2; exit 1 ;; esac\n" +
+                         with(fakeYarte, dimPixels).substr(10));
+    const std::string times = R"re("wall_s": [-+.e0-9]+)re";
+    const auto texts = [&] {
+        EXPECT_EQ(validateScenes(scenes_, {"--jobs", "2"}), 3);
+        return std::vector<std::string>{without("report.json", times), without("index.html", times),
+                                        without("junit.xml", R"re(time="[.0-9]+")re"),
+                                        readFile(folder_ / "out/summary.md"),
+                                        readFile(folder_ / "out/images/s0/difference.png")};
+    };
+    EXPECT_EQ(texts(), texts());
+}
+
+TEST_F(CiUse, UnchangedScenesCostPovrayNothing) {
+    installCounting();
+    const std::vector<std::string> cache = {"--cache", "cache"};
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    EXPECT_EQ(povrayRuns(), 1u);
+    EXPECT_THAT(report(), HasSubstr("\"cached\": false"));
+    const std::string first = output_;
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    EXPECT_EQ(povrayRuns(), 1u);
+    EXPECT_EQ(output_, first) << "the times of the run that made the picture";
+    EXPECT_THAT(report(),
+                AllOf(HasSubstr("\"cached\": true"), HasSubstr("not run: its picture is in the cache")));
+    EXPECT_TRUE(wrote("images/scene/povray.ppm"));
+}
+
+TEST_F(CiUse, WhatDecidesThePictureDecidesAboutTheCache) {
+    installCounting();
+    const std::vector<std::string> cache = {"--cache", "cache"};
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    install("yarte-convert", "#!/bin/sh\necho '// another scene' > \"$2\"\n");
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    EXPECT_EQ(povrayRuns(), 2u) << "another scene";
+    install("povray", readFile(folder_ / "povray") + "# another version\n");
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    EXPECT_EQ(povrayRuns(), 3u) << "another POV-Ray";
+}
+
+TEST_F(CiUse, DamagedAndFailedPicturesAreNotUsed) {
+    installCounting();
+    const std::vector<std::string> cache = {"--cache", "cache"};
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+    const auto entry = std::filesystem::directory_iterator(folder_ / "cache")->path();
+    std::string bytes = readFile(entry);
+    bytes.back() = static_cast<char>(bytes.back() ^ 1);
+    for (const std::string& damaged : {bytes, bytes.substr(0, 60), std::string("x"), std::string()}) {
+        writeFile(entry, damaged);
+        const std::size_t before = povrayRuns();
+        EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 0);
+        EXPECT_EQ(povrayRuns(), before + 1);
+    }
+    std::filesystem::remove_all(folder_ / "cache");
+    install("povray", with(fakePovray, "abc"));
+    EXPECT_EQ(validateScenes({"scene.yarte"}, cache), 3);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "cache"));
+}
+
+TEST_F(CiUse, ABaselineIsMadeComparedWithAndUpdated) {
+    addScenes(2);
+    const std::vector<std::string> compare = {"--baseline", "base"},
+                                   update = {"--baseline", "base", "--update-baseline"};
+    std::filesystem::remove(folder_ / "povray");
+    EXPECT_EQ(validateScenes(scenes_, compare), 3);
+    EXPECT_THAT(output_, HasSubstr("no reference in base: make it with --update-baseline"));
+
+    EXPECT_EQ(validateScenes(scenes_, update), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("baseline: 2 new (s0, s1), 0 changed, 0 removed, 0 unchanged\n"));
+    EXPECT_EQ(validateScenes(scenes_, compare), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("max 0.00/65535"));
+    EXPECT_THAT(report(), HasSubstr("\"reference\": \"the baseline base\""));
+
+    // (0, 0.5, 4) where (0, 0.5, 1) was; compared at the exposure 1/4.
+    std::string both = with(fakeYarte, dimPixels) +
+                       R"sh(case $scene in *s0*) printf 'PF\n2 1\n-1.0\nPIXELS' > "$out" ;; esac)sh";
+    install("yarte", "#!/bin/sh\nscene=$1\n" + with(both, brightPixels).substr(10));
+    EXPECT_EQ(validateScenes(scenes_, compare), 1) << output_;
+    EXPECT_THAT(output_, HasSubstr("fail   s0"));
+    EXPECT_EQ(validateScenes(scenes_, update), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("baseline: 0 new, 1 changed (s0: max 0.75), 0 removed, 1 unchanged\n"));
+    EXPECT_EQ(validateScenes(scenes_, compare), 0) << output_;
+
+    std::filesystem::remove(folder_ / "s1.yarte");
+    EXPECT_EQ(validateScenes({"s0.yarte"}, update), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("baseline: 0 new, 0 changed, 1 removed (s1), 1 unchanged\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "base/s1.exr"));
+    EXPECT_EQ(validate({"s0.yarte", "-o", "out", "--update-baseline"}), 2) << "needs --baseline";
+}
+
+TEST_F(CiUse, ABaselineThatIsNone) {
+    std::filesystem::create_directory(folder_ / "base");
+    for (const char* text : {"{", "{\"references\": [{\"name\": \"../scene\", \"scene\": \"x\"}]}"}) {
+        writeFile(folder_ / "base/baseline.json", text);
+        EXPECT_EQ(validateScenes({"scene.yarte"}, {"--baseline", "base"}), 3) << text;
+        EXPECT_THAT(errors_, StartsWith("yarte-validate: base/baseline.json: "));
+    }
+    writeFile(folder_ / "base/baseline.json", "{\"references\": []}");
+    writeFile(folder_ / "base/scene.exr", "no picture");
+    EXPECT_EQ(validateScenes({"scene.yarte"}, {"--baseline", "base"}), 3);
+    EXPECT_THAT(output_, StartsWith("error  scene  2x1  base/scene.exr: "));
+}
+
+TEST_F(CiUse, GithubIsToldWhichLineIsWrong) {
+    std::filesystem::create_directory(folder_ / "sub");
+    writeFile(folder_ / "sub/bad.yarte", "");
+    install("yarte", "#!/bin/sh\necho 'bad.yarte:12:9: error: radius, 100% wrong' >&2; exit 1\n");
+    const std::vector<std::string> github = {"GITHUB_ACTIONS=true",
+                                             fmt::format("GITHUB_WORKSPACE={}", folder_.string())};
+    EXPECT_EQ(validateScenes({(folder_ / "sub/bad.yarte").string()}, {}, github), 3);
+    EXPECT_THAT(output_,
+                EndsWith("::error file=sub/bad.yarte,line=12,title=bad%3A error::yarte: exit code 1%0A"
+                         "bad.yarte:12:9: error: radius, 100%25 wrong\n"));
+    EXPECT_EQ(validateScenes({"sub/bad.yarte"}), 3);
+    EXPECT_THAT(output_, Not(HasSubstr("::error")));
+}
+
+TEST_F(CiUse, ForeignScenesAreConvertedFirst) {
+    writeFile(folder_ / "model.glb", "");
+    install("yarte-convert", "#!/bin/sh\necho \"$(/usr/bin/basename $1) to $2 $3\" > \"$2\"\n");
+    EXPECT_EQ(validateScenes({"model.glb"}), 0) << output_;
+    EXPECT_EQ(readFile(folder_ / "out/images/model/imported.yarte"), "model.glb to imported.yarte \n");
+    EXPECT_EQ(readFile(folder_ / "out/images/model/scene.pov"), "imported.yarte to scene.pov --exposure\n");
+}
+
+TEST_F(CiUse, APovraySceneIsRenderedByPovrayAsItIs) {
+    writeFile(folder_ / "own.pov", "");
+    install("yarte", with(fakeYarte, brightPixels)); // clipped as POV-Ray clips: (0, 0.5, 4) is (0, 0.5, 1)
+    EXPECT_EQ(validateScenes({"own.pov"}, {"--cache", "cache"}), 0) << output_;
+    EXPECT_THAT(report(), HasSubstr(fmt::format("+I{}", (folder_ / "own.pov").string())));
+    EXPECT_FALSE(wrote("images/own/scene.pov"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "cache")) << "what it includes may change";
+    // One that the converter refuses is not run: it may come from a stranger.
+    install("yarte-convert", "#!/bin/sh\necho 'no reader for .pov' >&2; exit 2\n");
+    install("povray", "#!/bin/sh\necho x > \"" + (folder_ / "ran").string() + "\"\n");
+    EXPECT_EQ(validateScenes({"own.pov"}), 3);
+    EXPECT_THAT(output_, StartsWith("error  own  yarte-convert: exit code 2\n       no reader for .pov\n"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "ran"));
+}
+
+} // namespace
+} // namespace yarte::validate
