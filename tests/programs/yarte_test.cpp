@@ -99,6 +99,22 @@ TEST_F(Yarte, ARegionHasThePixelsOfTheWholePicture) {
         }
 }
 
+TEST_F(Yarte, TheAovIsTheSameInEveryMode) {
+    const auto aov = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {paper, "--size", "31x23", "-o", "a.png", "--aov", "a.exr"});
+        render(options);
+        return bytes("a.exr");
+    };
+    const std::string reference = aov({"--processes", "0"});
+    for (const char* channel : {"body.id", "line", "depth.Z", "N.X", "shadow.lights", "reflected.id",
+                                "transmitted.id", "visit0.weight", "light0.arriving", "yarte.scene"})
+        EXPECT_TRUE(reference.find(std::string(channel) + '\0') != std::string::npos) << channel;
+    EXPECT_TRUE(reference.find(R"({"bodies":[{"kind":"sphere","line":18,)") != std::string::npos);
+    EXPECT_TRUE(aov({"--processes", "3", "--tile", "5"}) == reference);
+    EXPECT_TRUE(aov({"--threads", "2"}) == reference);
+    EXPECT_FALSE(aov({"--region", "3,4,20,20"}) == reference);
+}
+
 TEST_F(Yarte, WritesThePictureBesideNothingElseIntoTheWorkingDirectory) {
     render({paper, "--size", "8x8"});
     EXPECT_THAT(namesIn(folder_), ElementsAre("paper.png"));
