@@ -99,6 +99,30 @@ TEST_F(Yarte, ARegionHasThePixelsOfTheWholePicture) {
         }
 }
 
+TEST_F(Yarte, AMeshMayBeGltf) {
+    // One triangle (-1, -1, 0), (1, -1, 0), (0, 1, 0), moved up by its node and back down by the scene.
+    write("m.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
+        "nodes":[{"mesh":0,"translation":[0,8,0]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
+        "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"buffers":[{"byteLength":36,"uri":
+        "data:application/octet-stream;base64,AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAA"}]})");
+    write("m.pmf", "3 1\n-1 -1 0\n1 -1 0\n0 1 0\n0 1 2\n");
+    std::string scene = sphereScene;
+    scene.erase(scene.rfind("sphere"));
+    write("gltf.yarte", scene + "mesh m.gltf 2 1 0 0 0 1 0 0 0 1 0 -16 0\n");
+    write("pmf.yarte", scene + "mesh m.pmf 2 1 0 0 0 1 0 0 0 1 0 0 0\n");
+    write("none.yarte", scene + "sphere 0 0 99 1\n");
+    for (const char* name : {"gltf", "pmf", "none"})
+        render({std::string(name) + ".yarte", "-o", std::string(name) + ".pfm", "--size", "40x40"});
+    EXPECT_EQ(bytes("gltf.pfm"), bytes("pmf.pfm"));
+    EXPECT_NE(bytes("gltf.pfm"), bytes("none.pfm"));
+
+    write("m.gltf", R"({"asset":{"version":"2.0"},"nodes":[{"mesh":7}]})");
+    const auto result = yarte({"gltf.yarte"});
+    EXPECT_EQ(result.exitCode, 1);
+    EXPECT_THAT(result.err, AllOf(HasSubstr("m.gltf"), HasSubstr("/nodes/0"), HasSubstr("[gltf.")));
+}
+
 TEST_F(Yarte, TheAovIsTheSameInEveryMode) {
     const auto aov = [&](std::vector<std::string> options) {
         options.insert(options.end(), {paper, "--size", "31x23", "-o", "a.png", "--aov", "a.exr"});
