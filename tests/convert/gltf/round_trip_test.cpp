@@ -1,0 +1,67 @@
+// YARTE -> glTF -> YARTE is the identical canonical text.
+#include "tests/convert/gltf/support.h"
+#include "tests/lang/random_scene.h"
+
+#include "yarte/lang/pmf.h"
+#include "yarte/lang/scene_reader.h"
+
+#include <gtest/gtest.h>
+
+namespace yarte::convert::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The text, and that of every mesh.
+std::string everything(const Scene& scene) {
+    std::string text = printScene(scene);
+    for (const MeshData& mesh : scene.meshes) text += "\n" + mesh.path + "\n" + printPmf(mesh);
+    return text;
+}
+
+void expectSame(const Scene& scene, bool binary, const std::string& what) {
+    const std::string file = written(scene, binary);
+    ASSERT_NE(file, "") << what;
+    const ReadGltf back(file);
+    ASSERT_TRUE(back.scene) << what << '\n' << back.problems();
+    EXPECT_EQ(everything(*back.scene), everything(scene)) << what;
+}
+
+TEST(GltfRoundTrip, EverySceneOfOursIsTheSameText) {
+    int count = 0;
+    for (const auto& folder : fs::directory_iterator(fs::path(YARTE_SOURCE_DIR) / "scenes")) {
+        if (!folder.is_directory()) continue;
+        const std::string name = folder.path().filename();
+        Sources sources;
+        Diagnostics diagnostics;
+        constexpr MeshFormat pmf{".pmf", readPmf};
+        const auto scene = readScene(folder.path() / (name + ".yarte"), {{}, {&pmf, 1}}, sources, diagnostics);
+        ASSERT_TRUE(scene) << name;
+        expectSame(*scene, true, name);
+        expectSame(*scene, false, name);
+        ++count;
+    }
+    EXPECT_GE(count, 13);
+}
+
+class GltfRoundTripOf : public testing::TestWithParam<unsigned> {};
+
+TEST_P(GltfRoundTripOf, ARandomSceneIsTheSameText) {
+    for (unsigned i = 0; i < 25; ++i) {
+        const unsigned seed = 25 * GetParam() + i;
+        expectSame(yarte::test::SceneMaker(seed).make(), i % 2 == 0, "seed " + std::to_string(seed));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, GltfRoundTripOf, testing::Range(0u, 8u));
+
+TEST(GltfRoundTrip, BodiesThatShareAMeshAreTheSameText) {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        Scene scene = yarte::test::mixedScene(30, seed);
+        scene.meshes[0].path = "tetrahedron.pmf";
+        expectSame(scene, true, "seed " + std::to_string(seed));
+    }
+}
+
+} // namespace
+} // namespace yarte::convert::test
