@@ -1,6 +1,7 @@
 // YARTE -> glTF -> YARTE is the identical canonical text.
 #include "tests/convert/gltf/support.h"
 #include "tests/lang/random_scene.h"
+#include "tests/support/program.h"
 
 #include "yarte/lang/pmf.h"
 #include "yarte/lang/scene_reader.h"
@@ -54,6 +55,22 @@ TEST_P(GltfRoundTripOf, ARandomSceneIsTheSameText) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, GltfRoundTripOf, testing::Range(0u, 8u));
+
+TEST(GltfRoundTrip, AMeshFileKeepsItsPolygons) {
+    const fs::path folder = yarte::test::emptyTestFolder();
+    for (const char* name : {"paper/buck.pmf", "smooth_mesh/ball.pmf", "concave/concave.yarte"}) {
+        const fs::path file = fs::path(YARTE_SOURCE_DIR) / "scenes" / name;
+        const auto convertFile = [](const fs::path& from, const fs::path& to) {
+            const Converted run(options(from, to));
+            EXPECT_FALSE(run.files.empty()) << run.problems();
+            for (const OutputFile& out : run.files) writeFile(out.file, out.bytes);
+        };
+        convertFile(file, folder / "direct.pmf");
+        convertFile(folder / "direct.pmf", folder / "there.glb");
+        convertFile(folder / "there.glb", folder / "back.pmf");
+        EXPECT_EQ(readFile(folder / "back.pmf"), readFile(folder / "direct.pmf")) << name;
+    }
+}
 
 TEST(GltfRoundTrip, BodiesThatShareAMeshAreTheSameText) {
     for (unsigned seed = 0; seed < 10; ++seed) {
