@@ -160,6 +160,13 @@ TEST(GltfRead, TextThatIsNoJsonIsRefused) {
     }
 }
 
+TEST(GltfRead, ANumberBeyondDoublesIsToldInPlainWords) {
+    const ReadGltf read{R"({"asset":{"version":"2.0"},"extras":1e999})"};
+    EXPECT_FALSE(read.scene);
+    EXPECT_THAT(read.problems(), HasSubstr("the JSON is broken at byte 41: number"));
+    EXPECT_THAT(read.problems(), Not(HasSubstr("json.exception")));
+}
+
 TEST(GltfRead, AFileWithoutCameraAndLightGetsThemAndSaysSo) {
     const ReadGltf read(zigzagFile("", "", "", 3));
     ASSERT_TRUE(read.scene);
