@@ -74,6 +74,13 @@ std::vector<pid_t> Program::children() const {
     return ids;
 }
 
+std::string Program::errors() const { return contents(err_); }
+
+bool Program::hasEnded() const {
+    siginfo_t info{};
+    return waitid(P_PID, static_cast<id_t>(id_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id_;
+}
+
 ProgramResult Program::wait() {
     int status = 0;
     while (waitpid(id_, &status, 0) < 0 && errno == EINTR) {

@@ -34,6 +34,9 @@ public:
     pid_t id() const { return id_; }
     /// Its child processes that are alive now.
     std::vector<pid_t> children() const;
+    /// What it has written to standard error up to now.
+    std::string errors() const;
+    bool hasEnded() const;
     ProgramResult wait();
 
 private:

@@ -102,6 +102,46 @@ TEST(VisibleWins, AMovedSphereStaysMovedAndIsNamed) {
     EXPECT_TRUE(named) << summary(read.ledger);
 }
 
+TEST(VisibleWins, AMovedLightStaysMovedAndIsNamed) {
+    const ReadGltf read = changed([](json& document) {
+        json& node = nodeWith(document, "light_source");
+        node.erase("matrix");
+        node["translation"] = {2.0, 13.0, 5.0};
+    });
+    ASSERT_TRUE(read.scene) << read.problems();
+    ASSERT_EQ(read.scene->lights.size(), 1u);
+    EXPECT_EQ(read.scene->lights[0].position, (Vec3{2, 13, 5}));
+    EXPECT_THAT(summary(read.ledger), HasSubstr("|exact light in extras|dropped"));
+}
+
+TEST(VisibleWins, AMovedCameraStaysMovedAndIsNamed) {
+    const ReadGltf read = changed([](json& document) {
+        json& node = nodeWith(document, "camera_position");
+        for (const char* part : {"matrix", "rotation", "scale"}) node.erase(part);
+        node["translation"] = {1.0, 2.0, 30.0};
+    });
+    ASSERT_TRUE(read.scene) << read.problems();
+    EXPECT_EQ(read.scene->camera.position, (Vec3{1, 2, 30}));
+    EXPECT_EQ(read.scene->camera.focus.x, 1);
+    EXPECT_EQ(read.scene->camera.focus.y, 2);
+    EXPECT_THAT(summary(read.ledger), HasSubstr("|exact camera in extras|dropped"));
+}
+
+/// What a tool that works in float32 does to a file without being asked is no change.
+TEST(VisibleWins, RoundingToFloat32IsNoChange) {
+    const ReadGltf read = changed([](json& document) {
+        std::function<void(json&)> round = [&](json& value) {
+            if (value.is_number_float()) value = static_cast<double>(value.get<float>());
+            if (!value.is_structured()) return;
+            for (auto& [key, item] : value.items())
+                if (key != "extras") round(item);
+        };
+        round(document);
+    });
+    ASSERT_TRUE(read.scene) << read.problems();
+    EXPECT_EQ(printScene(*read.scene), printScene(sphereAndBox()));
+}
+
 TEST(VisibleWins, APaintedMaterialStaysPainted) {
     const ReadGltf read = changed([](json& document) {
         for (json& material : document["materials"])
