@@ -32,8 +32,8 @@ public:
     bool end_array() { return end(); }
     bool parse_error(std::size_t offset, const std::string&, const nlohmann::json::exception& error) {
         problem = error.what();
-        // "[json.exception.parse_error.101] parse error at line 1, column 3: …": what follows the place. That a
-        // number is too large is told without one: "[json.exception.out_of_range.406] number …".
+        // "[json.exception.parse_error.101] parse error at line 1, column 3: …": what follows the place. That
+        // a number is too large is told without one: "[json.exception.out_of_range.406] number …".
         if (const auto colon = problem.find(": "); colon != problem.npos) problem.erase(0, colon + 2);
         if (problem.starts_with('[')) problem.erase(0, problem.find(' ') + 1);
         problem = fmt::format("the JSON is broken at byte {}: {}", offset, problem);

@@ -6,10 +6,12 @@
 #include "convert/gltf/read_camera.h"
 #include "convert/gltf/read_ledger.h"
 #include "convert/gltf/read_light.h"
+#include "yarte/scene/check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace yarte::convert::gltf {
@@ -36,10 +38,8 @@ public:
         if (asset_.errors().any()) return std::nullopt;
         if (camera) scene_.camera = camera->camera;
         if (camera && !hasSettings()) scene_.resolution = camera->resolution;
-        const Ball ball{bodies->extent.centre(), bodies->extent.radius()};
-        if (!camera) addCamera(scene_, ball, ledger_);
-        if (scene_.lights.empty() && !(hasSettings() && exact_.value.lightCount == 0))
-            addLight(scene_, ball, ledger_);
+        addWhatIsMissing({bodies->extent.centre(), bodies->extent.radius()}, camera.has_value());
+        if (asset_.errors().any()) return std::nullopt;
         addSettings();
         tellWhatIsNotShown();
         addRows(asset_.root(), ledger_);
@@ -67,6 +67,23 @@ private:
         scene_.background = settings.background;
         scene_.maxRecursion = settings.maxRecursion;
         scene_.gamma = settings.gamma;
+    }
+
+    void addWhatIsMissing(const Ball& ball, bool hasCamera) {
+        Problems problems;
+        if (!hasCamera) {
+            addCamera(scene_, ball, ledger_);
+            problems = check(scene_.camera);
+        }
+        if (scene_.lights.empty() && !(hasSettings() && exact_.value.lightCount == 0)) {
+            addLight(scene_, ball, ledger_);
+            std::ranges::move(check(scene_.lights.back()), std::back_inserter(problems));
+        }
+        if (!problems.empty()) // numbers near their limits leave no room for a place that sees all
+            asset_.errors().report("gltf.too-large",
+                                   "no camera and light can be added to a scene of this size: " +
+                                       problems[0].message,
+                                   asset_.root());
     }
 
     void addSettings() {

@@ -102,13 +102,15 @@ private:
         double sum = 0;
         for (const auto& light : lights_) sum += maxComponent(light.value.brightness);
         if (hasExact_ || sum == 0 || (sum >= darkest && sum <= brightest)) return;
-        for (auto& light : lights_) light.value.brightness = light.value.brightness * (1 / sum);
-        ledger_.add(
-            {"lights",
-             "exposure",
-             Action::approximated,
-             fmt::format("all lights are multiplied by {}, so that they sum to 1", printNumber(1 / sum)),
-             {}});
+        for (auto& light : lights_) {
+            Colour& b = light.value.brightness;
+            b = {b.r / sum, b.g / sum, b.b / sum}; // 1 / sum could be infinite
+        }
+        ledger_.add({"lights",
+                     "exposure",
+                     Action::approximated,
+                     fmt::format("all lights are divided by {}, so that they sum to 1", printNumber(sum)),
+                     {}});
     }
 
     Asset& asset_;

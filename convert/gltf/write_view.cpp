@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace yarte::convert::gltf {
@@ -48,7 +49,11 @@ std::size_t writeCamera(const Camera& camera, const std::optional<Extent>& exten
 double intensityOf(const Light& light, const std::optional<Extent>& extent) {
     double distance = extent ? length(light.position - extent->middle) : 1;
     if (distance == 0) distance = extent->radius; // within the bodies
-    return candelaOfBrightness(maxComponent(light.brightness), distance);
+    const double brightness = maxComponent(light.brightness);
+    if (brightness == 0) return 0;
+    // JSON has no infinity, which the square of a very large distance is.
+    const double candela = candelaOfBrightness(brightness, distance);
+    return std::isfinite(candela) ? candela : std::numeric_limits<double>::max();
 }
 
 std::vector<std::size_t> writeLights(const std::vector<Light>& lights, const std::optional<Extent>& extent,

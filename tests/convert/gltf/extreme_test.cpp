@@ -46,8 +46,8 @@ TEST(GltfExtreme, BlackLightsInVeryLargeScenesAreTheSameText) {
 
 /// A triangle in a node of `node`; `more` are members of the root, `nodes` more nodes.
 std::string triangle(const std::string& node, const std::string& nodes = "", const std::string& more = "") {
-    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0)" + node + "}," +
-           (nodes.empty() ? "{}" : nodes) +
+    return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0)" + node +
+           "}," + (nodes.empty() ? "{}" : nodes) +
            R"(],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,)"
            R"("componentType":5126,"type":"VEC3","count":3}],"bufferViews":[{"buffer":0,"byteLength":36}],)"
            R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,)"

@@ -70,7 +70,8 @@ TEST(GltfMaterial, WhatDoesNotCoverLetsRaysPassStraight) {
 
 TEST(GltfMaterial, TheSmoothestHasTheLargestExponent) {
     EXPECT_EQ(phongExponent(0), 10000);
-    for (const double n : {0.0, 1.0, 33.3, 9999.0}) EXPECT_NEAR(phongExponent(roughnessOf(n)), n, 1e-9 * (1 + n));
+    for (const double n : {0.0, 1.0, 33.3, 9999.0})
+        EXPECT_NEAR(phongExponent(roughnessOf(n)), n, 1e-9 * (1 + n));
 }
 
 /// Phong's opaque materials that glTF can say come back.

@@ -11,8 +11,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// A triangle whose box has the centre (1, 0, 0) and the radius sqrt(2), and a node 1 with `node` within; `more`
-/// are members of the root.
+/// A triangle whose box has the centre (1, 0, 0) and the radius sqrt(2), and a node 1 with `node` within;
+/// `more` are members of the root.
 ReadGltf withNode(const std::string& node, const std::string& more) {
     return ReadGltf(
         R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],)"
@@ -27,12 +27,15 @@ ReadGltf withNode(const std::string& node, const std::string& more) {
 }
 
 ReadGltf withLight(const std::string& place, const std::string& light) {
-    return withNode(place + R"("extensions":{"KHR_lights_punctual":{"light":0}})",
-                    R"("extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[)" +
-                        light + "]}}");
+    return withNode(
+        place + R"("extensions":{"KHR_lights_punctual":{"light":0}})",
+        R"("extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[)" +
+            light + "]}}");
 }
 
-void expectNear(Vec3 got, Vec3 expected) { EXPECT_LT(length(got - expected), 1e-9) << got.x << ' ' << got.y << ' ' << got.z; }
+void expectNear(Vec3 got, Vec3 expected) {
+    EXPECT_LT(length(got - expected), 1e-9) << got.x << ' ' << got.y << ' ' << got.z;
+}
 
 TEST(GltfLights, APointIsAsBrightAsAtTheScenesCentre) {
     // 5 away: 50 pi candela are 2 pi lux, a brightness of 2.
@@ -68,8 +71,9 @@ TEST(GltfLights, WhatNoDisplayShowsIsExposed) {
 }
 
 TEST(GltfCameras, PerspectiveHasHalfOfYfovAndItsAspect) {
-    const ReadGltf read = withNode(R"("translation":[1,0,7],"camera":0)",
-                                   R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"aspectRatio":2,"znear":0.1}}])");
+    const ReadGltf read = withNode(
+        R"("translation":[1,0,7],"camera":0)",
+        R"("cameras":[{"type":"perspective","perspective":{"yfov":1,"aspectRatio":2,"znear":0.1}}])");
     ASSERT_TRUE(read.scene) << read.problems();
     const Camera& camera = read.scene->camera;
     expectNear(camera.position, {1, 0, 7});
@@ -82,8 +86,9 @@ TEST(GltfCameras, PerspectiveHasHalfOfYfovAndItsAspect) {
 }
 
 TEST(GltfCameras, OrthographicShowsTheSameAtTheScenesCentre) {
-    const ReadGltf read = withNode(R"("translation":[1,0,4],"camera":0)",
-                                   R"("cameras":[{"type":"orthographic","orthographic":{"xmag":3,"ymag":2,"znear":0.1,"zfar":9}}])");
+    const ReadGltf read = withNode(
+        R"("translation":[1,0,4],"camera":0)",
+        R"("cameras":[{"type":"orthographic","orthographic":{"xmag":3,"ymag":2,"znear":0.1,"zfar":9}}])");
     ASSERT_TRUE(read.scene) << read.problems();
     EXPECT_NEAR(std::tan(read.scene->camera.horizontalApertureDegrees * pi / 180), 3.0 / 4, 1e-12);
     EXPECT_NEAR(std::tan(read.scene->camera.verticalApertureDegrees * pi / 180), 2.0 / 4, 1e-12);
