@@ -1,8 +1,8 @@
 #include "validate/report_html.h"
 
-#include "validate/base64.h"
 #include "validate/report_json.h"
 #include "validate/report_page.h" // made by CMake of the files in validate/report
+#include "yarte/base/base64.h"
 #include "yarte/base/number.h"
 
 #include <fmt/format.h>

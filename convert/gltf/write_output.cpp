@@ -1,6 +1,7 @@
 #include "convert/gltf/write_output.h"
 
 #include "convert/gltf/exact_text.h"
+#include "yarte/base/base64.h"
 #include "yarte/base/json.h"
 #include "yarte/version.h"
 
@@ -20,23 +21,6 @@ static_assert(std::endian::native == std::endian::little, "buffers are written a
 constexpr double componentFloat = 5126, componentUint32 = 5125, targetVertices = 34962, targetIndices = 34963;
 constexpr std::uint32_t glbMagic = 0x46546c67, glbVersion = 2, chunkJson = 0x4e4f534a,
                         chunkBinary = 0x004e4942;
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
-        };
-        const unsigned three = byte(0) << 16 | byte(1) << 8 | byte(2);
-        text += digits[three >> 18];
-        text += digits[three >> 12 & 63];
-        text += i + 1 < bytes.size() ? digits[three >> 6 & 63] : '=';
-        text += i + 2 < bytes.size() ? digits[three & 63] : '=';
-    }
-    return text;
-}
 
 void appendNumber(std::string& bytes, std::uint32_t number) {
     bytes.append(reinterpret_cast<const char*>(&number), sizeof number);

@@ -1,7 +1,6 @@
 #include "validate/text.h"
 
 #include "tests/validate/support.h"
-#include "validate/base64.h"
 #include "validate/case_names.h"
 #include "validate/renderers.h"
 
@@ -24,17 +23,6 @@ TEST(Text, ShellCommandsQuoteWhatAShellWouldRead) {
 TEST(Text, TrimmedEnd) {
     EXPECT_EQ(trimmedEnd(" a \n\t\n"), " a");
     EXPECT_EQ(trimmedEnd("\n"), "");
-}
-
-TEST(Base64, VectorsOfRfc4648) {
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("f"), "Zg==");
-    EXPECT_EQ(base64("fo"), "Zm8=");
-    EXPECT_EQ(base64("foo"), "Zm9v");
-    EXPECT_EQ(base64("foob"), "Zm9vYg==");
-    EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-    EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
 TEST(CaseNames, AreStemsUnlessThoseAreTaken) {

@@ -1,6 +1,8 @@
 // Reading glTF written by hand: transforms, modes, accessors, refusal.
 #include "tests/convert/gltf/support.h"
 
+#include "yarte/base/base64.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,19 +13,6 @@ namespace yarte::convert::test {
 namespace {
 
 using testing::HasSubstr;
-
-std::string base64(const std::string& bytes) {
-    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t word = 0;
-        for (std::size_t j = 0; j < 3; ++j)
-            word = word << 8 | (i + j < bytes.size() ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-        for (std::size_t j = 0; j < 4; ++j)
-            text += i + j <= bytes.size() ? digits[word >> (18 - 6 * j) & 63] : '=';
-    }
-    return text;
-}
 
 template <class T>
 std::string raw(std::initializer_list<T> values) {

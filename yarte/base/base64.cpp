@@ -1,6 +1,6 @@
-#include "validate/base64.h"
+#include "yarte/base/base64.h"
 
-namespace yarte::validate {
+namespace yarte {
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -18,4 +18,4 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-} // namespace yarte::validate
+} // namespace yarte

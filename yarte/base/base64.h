@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-namespace yarte::validate {
+namespace yarte {
 
 std::string base64(std::string_view bytes);
 
-} // namespace yarte::validate
+} // namespace yarte
