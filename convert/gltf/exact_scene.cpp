@@ -1,6 +1,7 @@
 // What a scene's extras say: the part of exact.h that nothing visible can contradict.
 #include "convert/gltf/exact.h"
 #include "convert/gltf/exact_text.h"
+#include "convert/gltf/percent.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "convert/gltf/exact_store.h"
 
 #include "convert/gltf/exact_text.h"
+#include "convert/gltf/percent.h"
 #include "convert/gltf/write_json.h"
 
 namespace yarte::convert::gltf {

@@ -4,12 +4,9 @@
 #include "yarte/lang/scene_printer.h"
 #include "yarte/lang/scene_reader.h"
 
-#include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <initializer_list>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -109,34 +106,6 @@ std::optional<MeshData> meshOf(const std::string& pmf, std::string& why) {
     std::optional<MeshData> mesh = parsePmf(sources.add("extras", pmf), sources, diagnostics);
     if (!mesh) why = firstError(diagnostics);
     return mesh;
-}
-
-std::string percentEncoded(const std::string& bytes) {
-    constexpr std::string_view plain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-    std::string text;
-    for (const char c : bytes) {
-        if (plain.find(c) != plain.npos)
-            text += c;
-        else
-            fmt::format_to(std::back_inserter(text), "%{:02X}", static_cast<unsigned char>(c));
-    }
-    return text;
-}
-
-std::string percentDecoded(const std::string& text) {
-    std::string bytes;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        unsigned char byte = 0;
-        const char* digits = text.data() + i + 1;
-        if (text[i] == '%' && i + 2 < text.size() &&
-            std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-            bytes += static_cast<char>(byte);
-            i += 2;
-        } else {
-            bytes += text[i];
-        }
-    }
-    return bytes;
 }
 
 } // namespace yarte::convert::gltf

@@ -24,8 +24,4 @@ std::optional<Scene> sceneOf(const std::string& lines, std::string& why);
 std::string meshText(const MeshData&); ///< as .pmf
 std::optional<MeshData> meshOf(const std::string& pmf, std::string& why);
 
-/// As in URIs: a file's name is bytes, which JSON might not take. Letters, digits and -._~/ stay.
-std::string percentEncoded(const std::string& bytes);
-std::string percentDecoded(const std::string& text);
-
 } // namespace yarte::convert::gltf

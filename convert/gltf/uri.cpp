@@ -1,5 +1,6 @@
 #include "convert/gltf/uri.h"
 
+#include "convert/gltf/percent.h"
 #include "yarte/base/text.h"
 
 #include <fmt/format.h>
@@ -28,25 +29,6 @@ Resource readData(std::string_view uri) {
     if (!tinygltf::DecodeDataURI(&bytes, mediaType, known, 0, false))
         return refuse("the data are not base64");
     return {{bytes.begin(), bytes.end()}, {}};
-}
-
-std::optional<int> hexDigit(char c) {
-    if (c >= '0' && c <= '9') return c - '0';
-    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
-    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-    return std::nullopt;
-}
-
-/// "%20" is a space; a "%" without two digits behind it stands for itself.
-std::string percentDecoded(std::string_view uri) {
-    std::string path;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        const auto high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : std::nullopt;
-        const auto low = high ? hexDigit(uri[i + 2]) : std::nullopt;
-        path += low ? static_cast<char>(*high * 16 + *low) : uri[i];
-        if (low) i += 2;
-    }
-    return path;
 }
 
 bool hasScheme(std::string_view uri) {

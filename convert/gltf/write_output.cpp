@@ -1,6 +1,6 @@
 #include "convert/gltf/write_output.h"
 
-#include "convert/gltf/exact_text.h"
+#include "convert/gltf/percent.h"
 #include "yarte/base/base64.h"
 #include "yarte/base/json.h"
 #include "yarte/version.h"
