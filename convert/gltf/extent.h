@@ -25,11 +25,9 @@ public:
     }
 
     Vec3 centre() const { return low_ + (high_ - low_) / 2; }
+    double halfDiagonal() const { return length(high_ - low_) / 2; }
     /// Of a ball around it; 1 if it is empty or a point.
-    double radius() const {
-        const double radius = length(high_ - low_) / 2;
-        return radius > 0 ? radius : 1;
-    }
+    double radius() const { return halfDiagonal() > 0 ? halfDiagonal() : 1; }
 
 private:
     Vec3 low_, high_;

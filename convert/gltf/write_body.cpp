@@ -52,21 +52,14 @@ std::vector<std::size_t> writeBodies(const std::vector<ShownBody>& bodies, const
 }
 
 std::optional<Extent> extentOf(const std::vector<ShownBody>& bodies) {
-    std::optional<std::pair<Vec3, Vec3>> box;
-    for (const auto& [body, shape, geometry] : bodies)
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 v = shape.world().point({corner & 1 ? geometry.high.x : geometry.low.x,
-                                                corner & 2 ? geometry.high.y : geometry.low.y,
-                                                corner & 4 ? geometry.high.z : geometry.low.z});
-            if (!box) box = {v, v};
-            box->first = {std::min(box->first.x, v.x), std::min(box->first.y, v.y),
-                          std::min(box->first.z, v.z)};
-            box->second = {std::max(box->second.x, v.x), std::max(box->second.y, v.y),
-                           std::max(box->second.z, v.z)};
-        }
-    if (!box) return std::nullopt;
-    const Vec3 diagonal = box->second - box->first;
-    return Extent{box->first + diagonal / 2, length(diagonal) / 2};
+    if (bodies.empty()) return std::nullopt;
+    Extent extent;
+    for (const auto& [body, shape, geometry] : bodies) {
+        Extent box;
+        box.add(geometry.low), box.add(geometry.high);
+        extent.addPlaced(box, shape.world());
+    }
+    return extent;
 }
 
 } // namespace yarte::convert::gltf

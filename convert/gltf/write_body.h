@@ -1,6 +1,7 @@
 // Bodies as nodes.
 #pragma once
 
+#include "convert/gltf/extent.h"
 #include "convert/gltf/write_geometry.h"
 #include "convert/gltf/write_material.h"
 
@@ -21,11 +22,7 @@ inline constexpr const char* rigidBodies = "KHR_physics_rigid_bodies";
 /// One node for each; the same triangles in the same material are one mesh. The nodes' indices.
 std::vector<std::size_t> writeBodies(const std::vector<ShownBody>&, const WrittenMaterials&, Output&);
 
-/// The middle of the box around all bodies, and half its diagonal; nothing without bodies.
-struct Extent {
-    Vec3 middle;
-    double radius = 0;
-};
+/// The box around all bodies; nothing without bodies.
 std::optional<Extent> extentOf(const std::vector<ShownBody>&);
 
 } // namespace yarte::convert::gltf

@@ -32,7 +32,7 @@ std::size_t writeCamera(const Camera& camera, const std::optional<Extent>& exten
                  horizontal = camera.horizontalApertureDegrees * toRadians;
     const double yfov = 2 * vertical, aspectRatio = std::tan(horizontal) / std::tan(vertical);
     // Viewers need a nearest distance; YARTE has none.
-    const double distance = extent ? length(extent->middle - camera.position) + extent->radius : 0;
+    const double distance = extent ? length(extent->centre() - camera.position) + extent->halfDiagonal() : 0;
     const double znear = distance > 0 && std::isfinite(distance) ? 1e-3 * distance : 1e-3;
     const std::size_t index =
         output.add("cameras", object({{"type", json("perspective")},
@@ -47,8 +47,8 @@ std::size_t writeCamera(const Camera& camera, const std::optional<Extent>& exten
 }
 
 double intensityOf(const Light& light, const std::optional<Extent>& extent) {
-    double distance = extent ? length(light.position - extent->middle) : 1;
-    if (distance == 0) distance = extent->radius; // within the bodies
+    double distance = extent ? length(light.position - extent->centre()) : 1;
+    if (distance == 0) distance = extent->halfDiagonal(); // within the bodies
     const double brightness = maxComponent(light.brightness);
     if (brightness == 0) return 0;
     // JSON has no infinity, which the square of a very large distance is.
