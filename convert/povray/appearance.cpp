@@ -1,6 +1,6 @@
 #include "convert/povray/appearance.h"
 
-#include "convert/povray/sdl.h"
+#include "convert/povray/sdl_text.h"
 #include "yarte/base/number.h"
 
 #include <fmt/format.h>

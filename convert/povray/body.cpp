@@ -3,7 +3,7 @@
 #include "convert/povray/eye.h"
 #include "convert/povray/limits.h"
 #include "convert/povray/mesh.h"
-#include "convert/povray/sdl.h"
+#include "convert/povray/sdl_text.h"
 #include "yarte/base/number.h"
 #include "yarte/scene/referential.h"
 

@@ -1,7 +1,7 @@
 #include "convert/povray/mesh.h"
 
 #include "convert/povray/eye.h"
-#include "convert/povray/sdl.h"
+#include "convert/povray/sdl_text.h"
 #include "yarte/base/number.h"
 #include "yarte/scene/mesh_placement.h"
 #include "yarte/scene/referential.h"

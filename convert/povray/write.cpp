@@ -6,7 +6,7 @@
 #include "convert/povray/library.h"
 #include "convert/povray/limits.h"
 #include "convert/povray/mesh.h"
-#include "convert/povray/sdl.h"
+#include "convert/povray/sdl_text.h"
 #include "yarte/base/number.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "convert/povray/sdl.h"
+#include "convert/povray/sdl_text.h"
 
 #include "yarte/base/number.h"
 
