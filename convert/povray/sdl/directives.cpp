@@ -1,0 +1,148 @@
+// The directives that stand in the text: declarations, messages, and which file comes next. Those that choose what
+// is read are in flow.cpp.
+
+#include "convert/povray/sdl/interpreter.h"
+#include "convert/povray/sdl/words.h"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+namespace yarte::convert::povray::sdl {
+
+void Interpreter::directive(const Token& token) {
+    using Run = void (*)(Interpreter&, const Token&);
+    static const std::unordered_map<std::string_view, Run> runs{
+        {"declare", [](Interpreter& in, const Token& t) { in.declare(t, false); }},
+        {"local", [](Interpreter& in, const Token& t) { in.declare(t, true); }},
+        {"undef", [](Interpreter& in, const Token&) { in.symbols_.remove(in.rawWord("a name").text); }},
+        {"default",
+         [](Interpreter& in, const Token&) {
+             in.expect('{');
+             in.statements_.defaults(in);
+         }},
+        {"macro", [](Interpreter& in, const Token& t) { in.defineMacro(t); }},
+        {"include", [](Interpreter& in, const Token& t) { in.include(t); }},
+        {"version", [](Interpreter& in, const Token&) { in.setVersion(); }},
+        {"debug", [](Interpreter& in, const Token& t) { in.message(t); }},
+        {"render", [](Interpreter& in, const Token& t) { in.message(t); }},
+        {"statistics", [](Interpreter& in, const Token& t) { in.message(t); }},
+        {"warning", [](Interpreter& in, const Token& t) { in.message(t); }},
+        {"error", [](Interpreter& in, const Token& t) { in.message(t); }},
+        {"if", [](Interpreter& in, const Token& t) { in.conditional(t, in.parenthesised()); }},
+        {"ifdef", [](Interpreter& in, const Token& t) { in.conditional(t, in.isDefinedName()); }},
+        {"ifndef", [](Interpreter& in, const Token& t) { in.conditional(t, !in.isDefinedName()); }},
+        {"else", [](Interpreter& in, const Token& t) { in.elseBranch(t); }},
+        {"elseif", [](Interpreter& in, const Token& t) { in.elseBranch(t); }},
+        {"end", [](Interpreter& in, const Token& t) { in.endOfBlock(t); }},
+        {"while", [](Interpreter& in, const Token& t) { in.whileLoop(t); }},
+        {"for", [](Interpreter& in, const Token& t) { in.forLoop(t); }},
+        {"switch", [](Interpreter& in, const Token& t) { in.switching(t); }},
+        {"case", [](Interpreter& in, const Token& t) { in.caseReached(t); }},
+        {"range", [](Interpreter& in, const Token& t) { in.caseReached(t); }},
+        {"break", [](Interpreter& in, const Token& t) { in.breakOut(t); }},
+    };
+    const auto run = runs.find(token.text);
+    if (run != runs.end()) return run->second(*this, token);
+    for (const char* file : {"fopen", "fclose", "read", "write"})
+        if (token.text == file)
+            fail("sdl.file-access", fmt::format("#{}: a scene that reads or writes files of its own is refused", file),
+                 token.span);
+    fail("sdl.directive", fmt::format("unknown directive #{}", token.text), token.span);
+}
+
+namespace {
+
+/// What was written before the names by POV-Ray's own files: "deprecated once "message"".
+void skipDeprecated(Interpreter& in) {
+    if (!in.accept("deprecated")) return;
+    in.accept("once");
+    in.string();
+}
+
+} // namespace
+
+void Interpreter::declare(const Token& directive, bool isLocal) {
+    const Nested nested(*this);
+    Token name = lex();
+    if (name.isWord("deprecated")) {
+        putBack(std::move(name));
+        skipDeprecated(*this);
+        name = next();
+    }
+    if (name.kind != TokenKind::word) fail("sdl.unexpected", "expected a name to declare", name.span);
+    if (isReserved(name.text))
+        fail("sdl.reserved", fmt::format("'{}' is a word of the language and cannot be declared", name.text), name.span);
+    // A local name hides those of callers; #declare changes the innermost there is, and makes global ones.
+    SymbolPtr symbol = isLocal ? (symbols_.isLocal(name.text) ? symbols_.find(name.text) : nullptr)
+                               : symbols_.find(name.text);
+    const bool isElement = peek().is('[');
+    if (isElement && !symbol) symbol = symbols_.find(name.text);
+    if (isElement && (!symbol || !symbol->value()))
+        fail("sdl.undeclared", fmt::format("array '{}' is not declared", name.text), name.span);
+    Value* element = nullptr;
+    std::shared_ptr<Array> kept; // the expression may change the name's value
+    if (isElement) {
+        Value& array = std::get<Value>(symbol->content);
+        if (const auto* a = std::get_if<ArrayPtr>(&array)) kept = *a;
+        element = &this->element(name, array);
+    }
+    expect('=');
+    Value made = value();
+    // POV-Ray asks for a semicolon after numbers and strings, and takes none.
+    acceptTail(';');
+    if (element) {
+        *element = std::move(made);
+        return;
+    }
+    if (!symbol) symbol = isLocal ? symbols_.addLocal(name.text) : symbols_.addGlobal(name.text);
+    symbol->content = std::move(made);
+    symbol->span = directive.span;
+}
+
+void Interpreter::setVersion() {
+    accept("unofficial");
+    accept("official");
+    const double version = number();
+    acceptTail(';');
+    if (!(version >= 1 && version < 3.8))
+        warn("sdl.version", fmt::format("#version {}: read as POV-Ray 3.7 reads it", version), {});
+    version_ = version;
+    statements_.versionChanged(*this);
+}
+
+void Interpreter::message(const Token& directive) {
+    const std::string text = string();
+    if (directive.text == "error") fail("sdl.error-directive", fmt::format("#error: {}", text), directive.span);
+    if (directive.text == "warning") warn("sdl.warning-directive", fmt::format("#warning: {}", text), directive.span);
+    if (directive.text == "debug" && environment_.debug) environment_.debug(text);
+}
+
+std::filesystem::path Interpreter::findInclude(const std::string& name, Span where) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path here = frame().file.has_parent_path() ? frame().file.parent_path() : ".";
+    for (const fs::path& folder : {here, folder_})
+        if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+    for (const fs::path& folder : environment_.library)
+        if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+    fail("sdl.include-missing", fmt::format("no file '{}' in the scene's folder nor in POV-Ray's library", name), where);
+}
+
+void Interpreter::include(const Token& directive) {
+    const Span where = peek().span;
+    const std::string name = string();
+    const std::filesystem::path file = findInclude(name, where);
+    ReadableFolders readable = environment_.readable;
+    readable.folders.push_back(folder_);
+    for (const auto& folder : environment_.library) readable.folders.push_back(folder);
+    if (!readable.contain(file))
+        fail("sdl.include-refused", fmt::format("'{}' is outside the scene's folder", name), where);
+    // A file that is included again, as by a loop, is kept once.
+    SourceId& source = included_[file.string()];
+    if (!source.valid()) source = environment_.sources.add(file.string(), readFile(file));
+    enterFrame({Lexer(environment_.sources[source].text(), source), file, name, directive.span});
+    symbols_.enter();
+}
+
+} // namespace yarte::convert::povray::sdl

@@ -1,0 +1,30 @@
+// Function: what `#declare f = function(a, b) { ... }` defines. Compiled where it is defined: later changes of the
+// names in it do not change it.
+#pragma once
+
+#include "convert/povray/sdl/value.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace yarte::convert::povray::sdl {
+
+class Interpreter;
+
+struct Function {
+    using Evaluate = std::function<double(std::span<const double> arguments)>;
+
+    std::vector<std::string> parameters{"x", "y", "z"};
+    Evaluate evaluate;   ///< null: it needs patterns or POV-Ray's internal functions, see `kind`
+    std::string kind{};  ///< "pattern", "internal", ...
+};
+
+/// From the word `function`, which comes next.
+Value parseFunction(Interpreter&);
+
+/// The function's value; 0, and a report, if it is none that is computed.
+Vector call(const Function&, std::span<const double> arguments, const Interpreter&, Span where);
+
+} // namespace yarte::convert::povray::sdl
