@@ -10,14 +10,14 @@
 namespace yarte::convert::povray::sdl {
 
 struct BuildOptions {
-    /// How far triangles may be from surfaces that YARTE has no shape for, in the file's units; none: a part of
-    /// their size.
+    /// How far triangles may be from surfaces that YARTE has no shape for, in the file's units; none: a part
+    /// of their size.
     std::optional<double> chordError;
     Resolution resolution{640, 480}; ///< of a file that does not name one
 };
 
-/// Everything approximated, dropped or made up is in the ledger, with the place in the file. What YARTE cannot
-/// represent at all (numbers that overflow) is an error: nothing then.
+/// Everything approximated, dropped or made up is in the ledger, with the place in the file. What YARTE
+/// cannot represent at all (numbers that overflow) is an error: nothing then.
 std::optional<Scene> buildScene(const Model&, const BuildOptions&, const Sources&, Diagnostics&, Ledger&);
 
 } // namespace yarte::convert::povray::sdl

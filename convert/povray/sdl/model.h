@@ -155,6 +155,8 @@ struct Model {
     double languageVersion = 3.62; ///< the last #version; below 3.7 some formulas of textures differ
     std::vector<ObjectPtr> objects; ///< lights among them; in the order of the file
     Texture defaultTexture;
+    /// global_settings' assumed_gamma; none: not given.
+    std::optional<double> assumedGamma;
 
     // From YARTE's own files.
     double unit = 1; ///< World_Scale: the length here of the scene's unit; a power of two
