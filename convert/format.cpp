@@ -3,6 +3,7 @@
 #include "convert/gltf/read.h"
 #include "convert/gltf/write.h"
 #include "convert/pmf_format.h"
+#include "convert/povray/sdl/read.h"
 #include "convert/povray/write.h"
 #include "convert/yarte_format.h"
 
@@ -19,7 +20,7 @@ std::span<const Format> formats() {
         {"pmf", {".pmf"}, readMeshAsScene, writeMesh},
         {"gltf", {".gltf"}, gltf::readScene, gltf::writeGltf},
         {"glb", {".glb"}, gltf::readScene, gltf::writeGlb},
-        {"pov", {".pov"}, nullptr, povray::writeScene},
+        {"pov", {".pov"}, povray::readScene, povray::writeScene},
     };
     return table;
 }

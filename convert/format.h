@@ -32,6 +32,7 @@ struct WriteOptions {
     bool plainTextures = false; ///< .pov: the fastest idiomatic SDL rather than the exact one
     /// .gltf, .glb: how far triangles may be from curved shapes, in scene units; none: a part of the radius
     std::optional<double> chordError{};
+    Resolution size{640, 480}; ///< of a .pov scene, which does not say it itself
     bool canonical = false; ///< .yarte: mesh paths stay as they are and no mesh is written
 };
 

@@ -1,5 +1,7 @@
 #include "convert/options.h"
 
+#include "yarte/base/integers.h"
+#include "yarte/scene/check.h"
 #include "yarte/version.h"
 
 #include <CLI/CLI.hpp>
@@ -12,7 +14,7 @@ namespace {
 
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string input, output, from, to, report, diagnostics = "text";
+    std::string input, output, from, to, report, size, diagnostics = "text";
     std::vector<std::string> allowedFolders;
     bool listFormats = false;
 };
@@ -40,6 +42,8 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
                    "In .gltf and .glb: how far triangles may be from curved shapes, in scene units; default: "
                    "a thousandth of the radius")
         ->type_name("E");
+    app.add_option("--size", raw.size, "Size of the picture of a .pov scene, which does not say it; default: 640x480")
+        ->type_name("WxH");
     app.add_option("--allow-path", raw.allowedFolders,
                    "Folder besides the input's own that it may read files from; may be repeated")
         ->type_name("DIR")
@@ -77,6 +81,12 @@ void complete(Options& options, const Raw& raw) {
         throw CLI::ValidationError("--exposure", "must be positive");
     if (const auto chord = options.writing.chordError; chord && !(*chord > 0 && std::isfinite(*chord)))
         throw CLI::ValidationError("--chord-error", "must be positive");
+    if (!raw.size.empty()) {
+        const auto sides = parseIntegers<2>(raw.size, 'x');
+        if (!sides || !check(Resolution{(*sides)[0], (*sides)[1]}).empty())
+            throw CLI::ValidationError("--size", fmt::format("expected WxH, like 640x480, got '{}'", raw.size));
+        options.writing.size = {(*sides)[0], (*sides)[1]};
+    }
     if (raw.input != "-") options.input = raw.input;
     if (raw.output != "-") options.output = raw.output;
     options.allowedFolders.assign(raw.allowedFolders.begin(), raw.allowedFolders.end());

@@ -1,5 +1,6 @@
 #include "yarte/options.h"
 
+#include "yarte/base/integers.h"
 #include "yarte/scene/check.h"
 #include "yarte/version.h"
 
@@ -7,33 +8,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <string_view>
-#include <system_error>
 
 namespace yarte {
 
 namespace {
 
-/// `N` whole numbers with `separator` between them, and nothing else.
-template <std::size_t N>
-std::optional<std::array<int, N>> integers(std::string_view text, char separator) {
-    std::array<int, N> values{};
-    for (std::size_t i = 0; i < N; ++i) {
-        if (i > 0) {
-            if (!text.starts_with(separator)) return std::nullopt;
-            text.remove_prefix(1);
-        }
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), values[i]);
-        if (error != std::errc{}) return std::nullopt;
-        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    }
-    if (!text.empty()) return std::nullopt;
-    return values;
-}
-
 Resolution parseSize(const std::string& text) {
-    const auto sides = integers<2>(text, 'x');
+    const auto sides = parseIntegers<2>(text, 'x');
     if (!sides)
         throw CLI::ValidationError("--size", fmt::format("expected WxH, like 640x480, got '{}'", text));
     const Resolution size{(*sides)[0], (*sides)[1]};
@@ -43,7 +25,7 @@ Resolution parseSize(const std::string& text) {
 }
 
 Tile parseRegion(const std::string& text) {
-    const auto r = integers<4>(text, ',');
+    const auto r = parseIntegers<4>(text, ',');
     if (!r) throw CLI::ValidationError("--region", fmt::format("expected X0,Y0,X1,Y1, got '{}'", text));
     const Tile region{(*r)[0], (*r)[1], (*r)[2], (*r)[3]};
     if (region.x0 < 0 || region.y0 < 0 || region.x0 >= region.x1 || region.y0 >= region.y1)
@@ -55,7 +37,7 @@ Tile parseRegion(const std::string& text) {
 
 CLI::Validator wholeNumberFrom(int minimum) {
     return {[minimum](const std::string& text) {
-                const auto number = integers<1>(text, ' ');
+                const auto number = parseIntegers<1>(text, ' ');
                 return number && (*number)[0] >= minimum
                            ? std::string()
                            : fmt::format("expected a whole number of at least {}, got '{}'", minimum, text);

@@ -45,29 +45,28 @@ void reportPlain(const std::string& where, const Material& m, const BackColours&
 
 } // namespace
 
-Appearances::Appearances(const Scene& scene) {
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const Material& m = scene.materials[i];
-        declarations_ +=
-            fmt::format("#declare Material_{} = Yarte_Material({}, {})\n", i + 1, front(m), numbers(m));
-    }
-    std::vector<std::vector<const BackColours*>> backs(scene.materials.size()); // distinct ones, per material
-    for (const Body& body : scene.bodies) {
-        const std::size_t id = body.material.index;
-        if (!body.back) {
-            names_.push_back(fmt::format("Material_{}", id + 1));
-            continue;
-        }
-        auto& known = backs[id];
-        const auto found =
-            std::ranges::find_if(known, [&](const BackColours* b) { return *b == *body.back; });
-        names_.push_back(fmt::format("Material_{}_Back_{}", id + 1, found - known.begin() + 1));
-        if (found != known.end()) continue;
-        known.push_back(&*body.back);
+Appearances::Appearances(const Scene& scene) : names_(scene.bodies.size()) {
+    std::vector<std::vector<std::size_t>> bodiesOf(scene.materials.size());
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i) bodiesOf[scene.bodies[i].material.index].push_back(i);
+    for (std::size_t id = 0; id < scene.materials.size(); ++id) {
         const Material& m = scene.materials[id];
-        declarations_ +=
-            fmt::format("#declare {} = Yarte_Two_Sided({}, {}, {})\n", names_.back(), front(m),
-                        colours(body.back->ambient, body.back->diffuse, body.back->specular), numbers(m));
+        const std::string name = fmt::format("Material_{}", id + 1);
+        declarations_ += fmt::format("#declare {} = Yarte_Material({}, {})\n", name, front(m), numbers(m));
+        // Its two-sided forms follow at once: with their first arguments they tell which material they are of.
+        std::vector<const BackColours*> known;
+        for (const std::size_t i : bodiesOf[id]) {
+            const std::optional<BackColours>& back = scene.bodies[i].back;
+            if (!back) {
+                names_[i] = name;
+                continue;
+            }
+            const auto found = std::ranges::find_if(known, [&](const BackColours* b) { return *b == *back; });
+            names_[i] = fmt::format("{}_Back_{}", name, found - known.begin() + 1);
+            if (found != known.end()) continue;
+            known.push_back(&*back);
+            declarations_ += fmt::format("#declare {} = Yarte_Two_Sided({}, {}, {})\n", names_[i], front(m),
+                                         colours(back->ambient, back->diffuse, back->specular), numbers(m));
+        }
     }
 }
 

@@ -229,7 +229,39 @@ void prepend(std::string& library, std::string_view text, const Macro (&macros)[
     }
 }
 
+/// Calls `use` with every text of the library.
+template <typename Use> void forEachMacro(const Use& use) {
+    for (const Macro& macro : exactTextures) use(macro);
+    for (const Macro& macro : plainTextures) use(macro);
+    for (const Macro& macro : interiors) use(macro);
+    for (const Macro& macro : exactMaterials) use(macro);
+    for (const Macro& macro : plainMaterials) use(macro);
+    for (const Macro& macro : geometry) use(macro);
+}
+
 } // namespace
+
+bool isLibraryMacro(std::string_view name, std::string_view text) {
+    bool found = false;
+    const std::string begin = "#macro " + std::string(name) + "(";
+    forEachMacro([&](const Macro& macro) {
+        const std::size_t at = macro.text.find(begin); // Yarte_Polygon's text has another macro before it
+        found |= at != macro.text.npos && macro.text.substr(at, text.size()) == text;
+    });
+    return found;
+}
+
+std::vector<std::string_view> libraryMacroNames() {
+    std::vector<std::string_view> names;
+    constexpr std::string_view begin = "#macro ";
+    forEachMacro([&](const Macro& macro) {
+        for (std::size_t at = macro.text.find(begin); at != macro.text.npos; at = macro.text.find(begin, at)) {
+            at += begin.size();
+            names.push_back(macro.text.substr(at, macro.text.find('(', at) - at));
+        }
+    });
+    return names;
+}
 
 std::string libraryFor(std::string_view text, bool plain) {
     std::string library;

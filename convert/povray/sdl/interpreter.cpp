@@ -164,6 +164,12 @@ bool Interpreter::acceptTail(char mark) {
     return true;
 }
 
+Span Interpreter::peekSpan() const {
+    if (!ahead_.empty()) return ahead_.back().span;
+    const Lexer& lexer = frames_.back().lexer;
+    return {lexer.source(), lexer.offset(), lexer.offset()};
+}
+
 void Interpreter::putBack(Token token) { ahead_.push_back(std::move(token)); }
 
 bool Interpreter::accept(char mark) {

@@ -67,6 +67,8 @@ public:
     /// layer?): it does not obey a #declare, which would then come before its time.
     const Token& peekTail();
     bool acceptTail(char mark);
+    /// Where the next token is, or near it, without looking at it.
+    Span peekSpan() const;
     /// Puts back what was read last, or the last two, in reverse order.
     void putBack(Token);
     bool accept(char mark);
@@ -123,6 +125,7 @@ public:
 
     /// The value of a global name, if it has one.
     const Value* global(std::string_view name) const;
+    SymbolPtr find(std::string_view name) const { return symbols_.find(name); }
     Symbols& symbols() { return symbols_; }
     const Environment& environment() const { return environment_; }
     Statements& statements() { return statements_; }

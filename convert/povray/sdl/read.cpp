@@ -1,0 +1,50 @@
+#include "convert/povray/sdl/read.h"
+
+#include "convert/povray/sdl/build_scene.h"
+#include "convert/povray/sdl/parser.h"
+
+#include <fmt/format.h>
+
+namespace yarte::convert::povray {
+namespace {
+
+/// Of Debian's package povray-includes.
+constexpr const char* povrayLibrary = "/usr/share/povray-3.7/include";
+
+std::string place(Span span, const Sources& sources) {
+    if (!span.source.valid()) return "scene";
+    const Source& source = sources[span.source];
+    const auto [line, column] = source.position(span.begin);
+    return fmt::format("{}:{}:{}", source.name(), line, column);
+}
+
+} // namespace
+
+std::optional<Scene> readScene(Conversion& c) {
+    const sdl::BuildOptions options{c.options.chordError, c.options.size};
+    sdl::Environment environment{
+        .sources = c.sources,
+        .diagnostics = c.diagnostics,
+        .readable = c.input.readable,
+        .library = {povrayLibrary},
+        .width = c.options.size.width,
+        .height = c.options.size.height,
+    };
+    environment.report = [&](Span where, std::string what, std::string detail) {
+        c.ledger.add({place(where, c.sources), std::move(what), Action::dropped, std::move(detail), {}});
+    };
+    sdl::Parser parser;
+    std::optional<sdl::Model> model;
+    {
+        sdl::Interpreter interpreter(std::move(environment), parser, c.input.text, c.input.file);
+        try {
+            model = parser.parse(interpreter);
+        } catch (const sdl::SyntaxError& error) {
+            c.diagnostics.error(error.code, error.what(), error.span).notes = interpreter.trace();
+            return std::nullopt;
+        }
+    }
+    return sdl::buildScene(*model, options, c.sources, c.diagnostics, c.ledger);
+}
+
+} // namespace yarte::convert::povray
