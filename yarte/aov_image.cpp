@@ -107,7 +107,8 @@ std::vector<ImageLayer> emptyLayers(const AovPixel& pixel, std::size_t size) {
 }
 
 const char* kindOf(const Shape& shape) {
-    constexpr std::array names{"sphere", "box", "cone", "truncated_cone", "disc", "polygon", "mesh"};
+    constexpr std::array names{"sphere", "box",      "cone",          "truncated_cone", "disc", "polygon",
+                               "mesh",   "cylinder", "open_cylinder", "frustum",        "plane"};
     static_assert(names.size() == std::variant_size_v<Shape>);
     return names[shape.index()];
 }

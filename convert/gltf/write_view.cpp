@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,13 +13,10 @@
 namespace yarte::convert::gltf {
 namespace {
 
-/// The largest component of a vector first, so that no square overflows.
-Vec3 direction(Vec3 v) { return normalised(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
-
 /// glTF's cameras look along -z, their top is +y.
 Frame cameraAxes(const Camera& camera) {
-    const Vec3 back = direction(camera.position - camera.focus);
-    const Vec3 right = direction(cross(direction(camera.up), back));
+    const Vec3 back = unitVector(camera.position - camera.focus);
+    const Vec3 right = unitVector(cross(unitVector(camera.up), back));
     return {right, cross(back, right), back};
 }
 

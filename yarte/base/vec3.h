@@ -1,6 +1,7 @@
 // Vec3: a point or a direction in three dimensions, double precision.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace yarte {
@@ -28,6 +29,12 @@ inline double length(Vec3 a) { return std::sqrt(dot(a, a)); }
 
 /// The unit vector along `a`, which must have a length that neither overflows nor is 0.
 inline Vec3 normalised(Vec3 a) { return a / length(a); }
+
+/// The unit vector along `a`, which may be of any length but 0: its largest component is divided out first,
+/// so that no square overflows.
+inline Vec3 unitVector(Vec3 a) {
+    return normalised(a / std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)}));
+}
 
 inline bool isFinite(Vec3 a) { return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z); }
 

@@ -29,6 +29,10 @@ constexpr Directive table[] = {
     {Keyword::disc, "disc", "centre, radius", 4},
     {Keyword::polygon, "polygon", "vertex count, vertices", 0},
     {Keyword::mesh, "mesh", "scale, three axes, translation", 13, 0, !once, withFileName},
+    {Keyword::cylinder, "cylinder", "base centre, radius, height", 5},
+    {Keyword::openCylinder, "open_cylinder", "base centre, radius, height", 5},
+    {Keyword::frustum, "frustum", "base centre, base radius, top radius, height", 6},
+    {Keyword::plane, "plane", "normal, distance", 4},
     {Keyword::backfaceColour, "backface_colour", "ambient, diffuse, specular", 9},
     {Keyword::instanceReferential, "instance_referential", "x axis, y axis, z axis if wanted", 6, 9},
 };

@@ -25,11 +25,15 @@ enum class Keyword {
     disc,
     polygon,
     mesh,
+    cylinder,
+    openCylinder,
+    frustum,
+    plane,
     backfaceColour,
     instanceReferential,
 };
 
-inline constexpr std::size_t keywordCount = 19;
+inline constexpr std::size_t keywordCount = 23;
 
 struct Directive {
     Keyword keyword;
@@ -41,7 +45,7 @@ struct Directive {
     bool takesFileName = false; ///< before the numbers
 };
 
-/// In the order of the paper.
+/// In the order of the paper, extensions after what they resemble.
 std::span<const Directive> directives();
 
 const Directive& directive(Keyword);

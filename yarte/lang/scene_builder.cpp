@@ -55,7 +55,11 @@ void SceneBuilder::add(const Statement& s) {
     case Keyword::truncatedCone:
     case Keyword::disc:
     case Keyword::polygon:
-    case Keyword::mesh: return addBody(s);
+    case Keyword::mesh:
+    case Keyword::cylinder:
+    case Keyword::openCylinder:
+    case Keyword::frustum:
+    case Keyword::plane: return addBody(s);
     case Keyword::backfaceColour: return addBackColours(s);
     case Keyword::instanceReferential: return addReferential(s);
     }

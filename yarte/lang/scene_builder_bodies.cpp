@@ -53,6 +53,12 @@ Shape SceneBuilder::shapeOf(const Statement& s) {
                       : TruncatedCone{};
     case Keyword::disc: return s.good ? Disc{read.vec3(), read.number()} : Disc{};
     case Keyword::polygon: return s.good ? polygon(read) : Polygon{};
+    case Keyword::cylinder: return s.good ? Cylinder{read.vec3(), read.number(), read.number()} : Cylinder{};
+    case Keyword::openCylinder:
+        return s.good ? OpenCylinder{read.vec3(), read.number(), read.number()} : OpenCylinder{};
+    case Keyword::frustum:
+        return s.good ? Frustum{read.vec3(), read.number(), read.number(), read.number()} : Frustum{};
+    case Keyword::plane: return s.good ? Plane{read.vec3(), read.number()} : Plane{};
     default: break;
     }
     if (!s.good) return Mesh{};

@@ -117,6 +117,13 @@ private:
              m.axes.z.value_or(Vec3{}), m.translation);
     }
 
+    void printShape(const Cylinder& c) { line(Keyword::cylinder, c.centre, c.radius, c.height); }
+    void printShape(const OpenCylinder& c) { line(Keyword::openCylinder, c.centre, c.radius, c.height); }
+    void printShape(const Frustum& f) {
+        line(Keyword::frustum, f.centre, f.baseRadius, f.topRadius, f.height);
+    }
+    void printShape(const Plane& p) { line(Keyword::plane, p.normal, p.distance); }
+
     const Scene& scene_;
     std::string text_;
     std::size_t materialsPrinted_ = 0;

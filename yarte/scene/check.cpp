@@ -6,15 +6,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace yarte {
 namespace {
-
-/// Of any length but 0, without overflow.
-Vec3 direction(Vec3 v) { return normalised(v / std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)})); }
 
 std::string text(Vec3 v) {
     return fmt::format("{} {} {}", printNumber(v.x), printNumber(v.y), printNumber(v.z));
@@ -91,7 +87,7 @@ Problems check(const Camera& camera) {
     if (camera.up == Vec3{})
         rules.broken({"scene.up-zero", "the up vector must not be of length 0", 2});
     else if (camera.position != camera.focus &&
-             length(cross(direction(camera.up), direction(camera.focus - camera.position))) < minUpSine)
+             length(cross(unitVector(camera.up), unitVector(camera.focus - camera.position))) < minUpSine)
         rules.broken(
             {"scene.up-parallel",
              fmt::format("the up vector must not be parallel to the view direction, got {}", text(camera.up)),

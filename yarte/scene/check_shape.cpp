@@ -27,12 +27,15 @@ void apply(Rules& rules, const Box& box) {
         rules.positive("scene.side-not-positive", "a box's side", side, argument++);
 }
 
-void apply(Rules& rules, const Cone& cone) {
-    rules.finite(0, cone.centre);
-    if (!rules.finite(3, {cone.radius, cone.height})) return;
-    rules.positive(radiusCode, "radius", cone.radius, 3);
-    rules.positive(heightCode, "height", cone.height, 4);
+/// The arguments that cones and cylinders share.
+void checkRound(Rules& rules, Vec3 centre, double radius, double height) {
+    rules.finite(0, centre);
+    if (!rules.finite(3, {radius, height})) return;
+    rules.positive(radiusCode, "radius", radius, 3);
+    rules.positive(heightCode, "height", height, 4);
 }
+
+void apply(Rules& rules, const Cone& c) { checkRound(rules, c.centre, c.radius, c.height); }
 
 void apply(Rules& rules, const TruncatedCone& cone) {
     rules.finite(0, cone.centre);
@@ -90,6 +93,24 @@ void apply(Rules& rules, const Mesh& mesh) {
         rules.broken(std::move(problem));
     }
     rules.finite(10, mesh.translation);
+}
+
+void apply(Rules& rules, const Cylinder& c) { checkRound(rules, c.centre, c.radius, c.height); }
+
+void apply(Rules& rules, const OpenCylinder& c) { checkRound(rules, c.centre, c.radius, c.height); }
+
+void apply(Rules& rules, const Frustum& f) {
+    rules.finite(0, f.centre);
+    if (!rules.finite(3, {f.baseRadius, f.topRadius, f.height})) return;
+    rules.positive(radiusCode, "the base's radius", f.baseRadius, 3);
+    rules.positive(radiusCode, "the top's radius", f.topRadius, 4);
+    rules.positive(heightCode, "height", f.height, 5);
+}
+
+void apply(Rules& rules, const Plane& plane) {
+    if (rules.finite(0, plane.normal) && plane.normal == Vec3{})
+        rules.broken({"scene.normal-zero", "a plane's normal must not be 0 0 0", 0, 3});
+    rules.finite(3, {plane.distance});
 }
 
 } // namespace

@@ -61,8 +61,8 @@ struct MaterialId {
 struct Body {
     Shape shape;
     MaterialId material;
-    std::optional<Referential> referential; ///< box, cone, truncated cone, disc
-    std::optional<BackColours> back;        ///< disc, polygon, truncated cone, mesh
+    std::optional<Referential> referential; ///< of kinds that takesReferential holds for
+    std::optional<BackColours> back;        ///< of kinds that takesBackColours holds for
     Span span{};                            ///< the shape's directive; not part of the value
     friend bool operator==(const Body& a, const Body& b) {
         return a.shape == b.shape && a.material == b.material && a.referential == b.referential &&
@@ -86,13 +86,16 @@ struct Scene {
 /// True for the kinds that take an `instance_referential`.
 constexpr bool takesReferential(const Shape& shape) {
     return std::holds_alternative<Box>(shape) || std::holds_alternative<Cone>(shape) ||
-           std::holds_alternative<TruncatedCone>(shape) || std::holds_alternative<Disc>(shape);
+           std::holds_alternative<TruncatedCone>(shape) || std::holds_alternative<Disc>(shape) ||
+           std::holds_alternative<Cylinder>(shape) || std::holds_alternative<OpenCylinder>(shape) ||
+           std::holds_alternative<Frustum>(shape);
 }
 
 /// True for the kinds that take a `backface_colour`.
 constexpr bool takesBackColours(const Shape& shape) {
     return std::holds_alternative<Disc>(shape) || std::holds_alternative<Polygon>(shape) ||
-           std::holds_alternative<TruncatedCone>(shape) || std::holds_alternative<Mesh>(shape);
+           std::holds_alternative<TruncatedCone>(shape) || std::holds_alternative<Mesh>(shape) ||
+           std::holds_alternative<OpenCylinder>(shape) || std::holds_alternative<Plane>(shape);
 }
 
 } // namespace yarte

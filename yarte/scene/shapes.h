@@ -76,6 +76,35 @@ struct Mesh {
     friend bool operator==(const Mesh&, const Mesh&) = default;
 };
 
-using Shape = std::variant<Sphere, Box, Cone, TruncatedCone, Disc, Polygon, Mesh>;
+/// Closed by its two discs; axis +y.
+struct Cylinder {
+    Vec3 centre; ///< of the base
+    double radius = 1, height = 1;
+    friend bool operator==(const Cylinder&, const Cylinder&) = default;
+};
+
+/// Open at both ends; axis +y.
+struct OpenCylinder {
+    Vec3 centre; ///< of the base
+    double radius = 1, height = 1;
+    friend bool operator==(const OpenCylinder&, const OpenCylinder&) = default;
+};
+
+/// A cone without its tip, closed by its two discs, either of which may be the larger; axis +y.
+struct Frustum {
+    Vec3 centre; ///< of the base
+    double baseRadius = 1, topRadius = 1, height = 1;
+    friend bool operator==(const Frustum&, const Frustum&) = default;
+};
+
+/// Infinite: all points p with n.p = distance, n being the unit normal; its inside is where n.p < distance.
+struct Plane {
+    Vec3 normal{0, 1, 0}; ///< as written: of any length but 0; see unitVector
+    double distance = 0;  ///< from the origin, along the normal
+    friend bool operator==(const Plane&, const Plane&) = default;
+};
+
+using Shape = std::variant<Sphere, Box, Cone, TruncatedCone, Disc, Polygon, Mesh, Cylinder, OpenCylinder,
+                           Frustum, Plane>;
 
 } // namespace yarte

@@ -54,6 +54,19 @@ private:
     void add(const yarte::Disc& d, const Body& body) {
         append(Kind::disc, world_.discs, trace::Disc(d, frameOf(body)));
     }
+    void add(const yarte::Cylinder& c, const Body& body) {
+        append(Kind::frustum, world_.frustums, trace::Frustum(c, frameOf(body)));
+    }
+    void add(const yarte::OpenCylinder& c, const Body& body) {
+        append(Kind::truncatedCone, world_.truncatedCones, trace::TruncatedCone(c, frameOf(body)));
+    }
+    void add(const yarte::Frustum& f, const Body& body) {
+        append(Kind::frustum, world_.frustums, trace::Frustum(f, frameOf(body)));
+    }
+    void add(const yarte::Plane& p, const Body&) {
+        world_.unbounded.push_back({static_cast<std::uint32_t>(world_.elements.size())});
+        append(Kind::plane, world_.planes, trace::Plane(p));
+    }
     void add(const yarte::Polygon& p, const Body&) {
         const auto first = static_cast<std::uint32_t>(world_.faces.vertices.size());
         world_.faces.vertices.insert(world_.faces.vertices.end(), p.vertices.begin(), p.vertices.end());
@@ -93,7 +106,7 @@ private:
         face.firstCorner = static_cast<std::uint32_t>(table.corners.size());
         face.cornerCount = static_cast<std::uint32_t>(corners.size());
         for (const std::uint32_t corner : corners) table.corners.push_back(firstVertex + corner);
-        const Plane plane = computePlane(table, face);
+        const FacePlane plane = computePlane(table, face);
         if (!isFinite(plane.normal)) {
             table.corners.resize(face.firstCorner);
             return;
@@ -125,12 +138,17 @@ private:
 };
 
 Tree treeOf(const World& world) {
-    if (world.elements.size() < minElementsForTree) return {};
-    std::vector<Bounds> boxes(world.elements.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
+    if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
+    std::vector<Bounds> boxes;
+    boxes.reserve(world.elements.size());
+    for (std::uint32_t i = 0; i < world.elements.size(); ++i)
+        world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
+            if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
+        });
     Tree tree = buildTree(boxes);
     for (TreeEntry& entry : tree.entries) {
+        for (const ElementId plane : world.unbounded) // from the box's number to the element's, first to last
+            if (plane.index <= entry.element.index) ++entry.element.index;
         const auto [kind, row] = world.elements[entry.element.index];
         if (kind != Kind::face || world.faces.faces[row].cornerCount != 3) continue;
         std::copy_n(&world.faces.corners[world.faces.faces[row].firstCorner], 3, entry.corners);
@@ -163,6 +181,14 @@ Leaving leavingAlong(const World& world, Vec3 direction) {
         const std::uint32_t body = world.bodyOf({i}).index;
         if (world.bodies[body].transmission == 0) continue;
         world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
+            if constexpr (std::is_same_v<Shape, trace::Plane>) { // left in one direction at most: being in it
+                                                                 // is enough
+                if (heightAbove(shape, axis.origin) >= 0) return;
+                ++result.balance[body];
+                for (const Crossing& c : crossings(shape, axis))
+                    if (c.t > 0) result.first[body] = c.t;
+                return;
+            }
             // Discs and truncated cones are open; faces count, since those of a mesh may close it.
             if constexpr (Shape::isClosed || std::is_same_v<Shape, FaceShape>)
                 for (const Crossing& c : crossings(shape, axis)) {

@@ -12,11 +12,13 @@ struct Cone {
     static constexpr bool isFlat = false, isClosed = true;
 
     Vec3 centre; ///< of the base
-    double radius, height, slope;
+    double radius, height;
+    Nappe nappe;
     Frame axes;
 
     Cone(const yarte::Cone& c, const Frame& frame)
-        : centre(c.centre), radius(c.radius), height(c.height), slope(c.radius / c.height), axes(frame) {}
+        : centre(c.centre), radius(c.radius), height(c.height), nappe{c.radius / c.height, c.height, 0},
+          axes(frame) {}
 };
 
 inline Bounds bounds(const Cone& c) {
@@ -29,7 +31,7 @@ inline Bounds bounds(const Cone& c) {
 /// surfaces leaves no crack at the rim: a line that enters always leaves.
 inline Crossings crossings(const Cone& c, const Ray& ray) {
     const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
-    Stretch inside = stretchInNappe(p, d, c.slope, c.height);
+    Stretch inside = stretchInNappe(p, d, c.nappe);
     std::uint8_t enterPart = 0, leavePart = 0;
     if (d.y == 0) {
         if (p.y < 0) return {};
@@ -47,7 +49,7 @@ inline Crossings crossings(const Cone& c, const Ray& ray) {
 
 inline Vec3 outwardNormal(const Cone& c, Vec3 point, std::uint8_t part) {
     if (part == 1) return -c.axes.y;
-    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.slope));
+    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.nappe));
 }
 
 } // namespace yarte::trace

@@ -15,7 +15,7 @@ double doubleArea(Point2 a, Point2 b, Point2 c) {
 
 /// Newell's normal [Sutherland, Sproull, Schumacker 1974] as a sum of cross products relative to the first
 /// vertex, so that a small polygon far from the origin keeps its digits.
-Plane computePlane(const FaceTable& table, const Face& face) {
+FacePlane computePlane(const FaceTable& table, const Face& face) {
     const auto corners = table.cornersOf(face);
     const Vec3 first = table.vertices[corners[0]];
     if (corners.size() == 3)

@@ -18,7 +18,7 @@
 namespace yarte::trace {
 
 /// The plane of a face (decision D9).
-struct Plane {
+struct FacePlane {
     Vec3 normal; ///< unit, Newell's rule
     Vec3 anchor; ///< the vertices' mean; of a triangle, whose vertices all lie in the plane, the first one
 };
@@ -40,7 +40,7 @@ struct FaceTable {
     std::vector<Face> faces;
     /// Of larger polygons. A triangle's plane is computed when a ray passes inside, which is rare, and not
     /// kept: millions of them are more often looked at than met.
-    std::vector<Plane> planes;
+    std::vector<FacePlane> planes;
 
     std::span<const std::uint32_t> cornersOf(const Face& f) const {
         return std::span(corners).subspan(f.firstCorner, f.cornerCount);
@@ -107,9 +107,9 @@ inline Bounds bounds(const FaceShape& s) {
 }
 
 /// From the vertices.
-Plane computePlane(const FaceTable&, const Face&);
+FacePlane computePlane(const FaceTable&, const Face&);
 
-inline Plane planeOf(const FaceTable& table, const Face& face) {
+inline FacePlane planeOf(const FaceTable& table, const Face& face) {
     return face.plane != Face::noPlane ? table.planes[face.plane] : computePlane(table, face);
 }
 
@@ -125,7 +125,7 @@ inline Crossings crossings(const FaceShape& s, const Ray& ray) {
         previous = next;
     }
     if (!isInside) return result;
-    const Plane plane = planeOf(s.table, s.face);
+    const FacePlane plane = planeOf(s.table, s.face);
     const double fall = -dot(ray.direction, plane.normal);
     if (fall != 0) result.add(dot(ray.origin - plane.anchor, plane.normal) / fall, 0, fall > 0);
     return result;

@@ -80,7 +80,11 @@ auto allElements(const World& world) {
 }
 
 auto treeElements(const World& world, const Ray& ray) {
-    return [&world, &ray](double& tMax, auto&& visit) { traverse(world.tree, ray, tMax, visit); };
+    return [&world, &ray](double& tMax, auto&& visit) {
+        for (const ElementId element : world.unbounded)
+            if (visit(element)) return;
+        traverse(world.tree, ray, tMax, visit);
+    };
 }
 
 } // namespace

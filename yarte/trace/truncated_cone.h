@@ -1,5 +1,5 @@
-// TruncatedCone: the lateral surface of a cone between its base and `height`; open at both ends, axis +y of
-// its own axes.
+// TruncatedCone: the lateral surface of a cone or cylinder between its base and `height`; open at both ends,
+// axis +y of its own axes.
 #pragma once
 
 #include "yarte/base/frame.h"
@@ -12,25 +12,32 @@ namespace yarte::trace {
 struct TruncatedCone {
     static constexpr bool isFlat = false, isClosed = false;
 
-    Vec3 centre; ///< of the base
-    double radius, coneHeight, height, slope;
+    Vec3 centre;                        ///< of the base
+    double radius, upperRadius, height; ///< radius: of the base
+    Nappe nappe;
     Frame axes;
 
     TruncatedCone(const yarte::TruncatedCone& c, const Frame& frame)
-        : centre(c.centre), radius(c.radius), coneHeight(c.coneHeight), height(c.height),
-          slope(c.radius / c.coneHeight), axes(frame) {}
+        : TruncatedCone(c.centre, c.radius, c.height, {c.radius / c.coneHeight, c.coneHeight, 0}, frame) {}
+    TruncatedCone(const yarte::OpenCylinder& c, const Frame& frame)
+        : TruncatedCone(c.centre, c.radius, c.height, {0, c.height, c.radius}, frame) {}
+
+private:
+    TruncatedCone(Vec3 centre_, double radius_, double height_, const Nappe& n, const Frame& frame)
+        : centre(centre_), radius(radius_), upperRadius(n.radius + n.slope * (n.height - height_)),
+          height(height_), nappe(n), axes(frame) {}
 };
 
 inline Bounds bounds(const TruncatedCone& c) {
     Bounds result = boundsOfCircle(c.centre, c.radius, c.axes.y);
-    result.add(boundsOfCircle(c.centre + c.axes.y * c.height, c.slope * (c.coneHeight - c.height), c.axes.y));
+    result.add(boundsOfCircle(c.centre + c.axes.y * c.height, c.upperRadius, c.axes.y));
     return result;
 }
 
 /// The ends of the stretch inside the nappe, each kept if it lies between the two rims.
 inline Crossings crossings(const TruncatedCone& c, const Ray& ray) {
     const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
-    const Stretch inside = stretchInNappe(p, d, c.slope, c.coneHeight);
+    const Stretch inside = stretchInNappe(p, d, c.nappe);
     Crossings result;
     if (inside.empty()) return result;
     const auto isKept = [&](double t) {
@@ -43,7 +50,7 @@ inline Crossings crossings(const TruncatedCone& c, const Ray& ray) {
 }
 
 inline Vec3 outwardNormal(const TruncatedCone& c, Vec3 point, std::uint8_t) {
-    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.slope));
+    return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.nappe));
 }
 
 } // namespace yarte::trace

@@ -8,6 +8,8 @@
 #include "yarte/trace/cone.h"
 #include "yarte/trace/disc.h"
 #include "yarte/trace/face.h"
+#include "yarte/trace/frustum.h"
+#include "yarte/trace/plane.h"
 #include "yarte/trace/render_tile.h"
 #include "yarte/trace/sphere.h"
 #include "yarte/trace/tree.h"
@@ -19,7 +21,8 @@ namespace yarte {
 
 namespace trace {
 
-enum class Kind : std::uint8_t { sphere, box, cone, truncatedCone, disc, face };
+/// How the world sees shapes: an open cylinder is a truncated cone, a closed one a frustum, without slope.
+enum class Kind : std::uint8_t { sphere, box, cone, truncatedCone, frustum, disc, plane, face };
 
 /// Where an element's shape lies: its kind's table and the row in it.
 struct Element {
@@ -55,13 +58,16 @@ public:
     std::vector<trace::Box> boxes;
     std::vector<trace::Cone> cones;
     std::vector<trace::TruncatedCone> truncatedCones;
+    std::vector<trace::Frustum> frustums;
     std::vector<trace::Disc> discs;
+    std::vector<trace::Plane> planes;
     trace::FaceTable faces;
 
     std::vector<trace::Element> elements;   ///< by ElementId
     std::vector<trace::BodyId> elementBody; ///< by ElementId
 
-    trace::Tree tree; ///< over elements; empty for few of them
+    trace::Tree tree;                        ///< over the elements but planes; empty for few of them
+    std::vector<trace::ElementId> unbounded; ///< the planes: what the tree cannot hold
     std::vector<double>
         transmissions; ///< the distinct ct > 0 of the bodies, ascending; empty: nothing transmits
     std::vector<trace::BodyId> cameraMedia; ///< transmissive closed bodies around the camera, outermost first
@@ -78,7 +84,9 @@ public:
         case trace::Kind::box: return visitor(boxes[row]);
         case trace::Kind::cone: return visitor(cones[row]);
         case trace::Kind::truncatedCone: return visitor(truncatedCones[row]);
+        case trace::Kind::frustum: return visitor(frustums[row]);
         case trace::Kind::disc: return visitor(discs[row]);
+        case trace::Kind::plane: return visitor(planes[row]);
         case trace::Kind::face: break;
         }
         return visitor(trace::FaceShape{faces, faces.faces[row]});

@@ -19,19 +19,25 @@ HWY_INLINE V3 normals(const Box& b, V3, V part) {
     const M low = hn::Or(part == set(0), hn::Or(part == set(2), part == set(4)));
     return select(low, negated(axis), axis);
 }
-HWY_INLINE V3 nappeNormals(V3 p, double slope) {
+HWY_INLINE V3 nappeNormals(V3 p, const Nappe& nappe) {
     const V distance = hn::Sqrt(p.x * p.x + p.z * p.z);
-    const V3 normal = normalised(V3{p.x / distance, set(slope), p.z / distance});
+    const V3 normal = normalised(V3{p.x / distance, set(nappe.slope), p.z / distance});
     return select(distance == set(0), V3{set(0), set(1), set(0)}, normal);
 }
 HWY_INLINE V3 normals(const Cone& c, V3 point, V part) {
-    const V3 lateral = toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.slope));
+    const V3 lateral = toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.nappe));
     return select(part == set(1), negated(spread(c.axes.y)), lateral);
 }
 HWY_INLINE V3 normals(const TruncatedCone& c, V3 point, V) {
-    return toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.slope));
+    return toWorld(c.axes, nappeNormals(toLocal(c.axes, point - spread(c.centre)), c.nappe));
+}
+HWY_INLINE V3 normals(const Frustum& f, V3 point, V part) {
+    const V3 lateral = toWorld(f.axes, nappeNormals(toLocal(f.axes, point - spread(f.centre)), f.nappe));
+    const V3 axis = spread(f.axes.y);
+    return select(part == set(0), lateral, select(part == set(1), negated(axis), axis));
 }
 HWY_INLINE V3 normals(const Disc& d, V3, V) { return spread(d.normal); }
+HWY_INLINE V3 normals(const Plane& p, V3, V) { return spread(p.normal); }
 /// Of a polygon; triangles have triangleNormals.
 HWY_INLINE V3 normals(const FaceShape& s, V3, V) { return spread(planeOf(s.table, s.face).normal); }
 

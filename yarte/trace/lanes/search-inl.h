@@ -112,6 +112,7 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i}, allLanes);
         return;
     }
+    for (const ElementId plane : world.unbounded) test(plane, allLanes);
     SlabPacket slab(world.tree, rays, best.t);
     traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
         bool improved = false;
@@ -182,6 +183,10 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
             if (allBlocked(shadow)) return;
         }
         return;
+    }
+    for (const ElementId plane : world.unbounded) {
+        test(plane, allLanes);
+        if (allBlocked(shadow)) return;
     }
     alignas(64) double reach[lanes];
     for (std::size_t at = 0; at < lanes; at += half)

@@ -11,7 +11,9 @@
 #include "yarte/trace/cone.h"
 #include "yarte/trace/disc.h"
 #include "yarte/trace/face.h"
+#include "yarte/trace/frustum.h"
 #include "yarte/trace/lanes/packet-inl.h"
+#include "yarte/trace/plane.h"
 #include "yarte/trace/sphere.h"
 #include "yarte/trace/truncated_cone.h"
 
@@ -67,45 +69,50 @@ struct StretchLanes {
     V from, to;
 };
 
-HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, double slope, double height) {
-    const V zero = set(0), slope2 = set(slope * slope);
+HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, const Nappe& nappe) {
+    const V zero = set(0), slope = set(nappe.slope);
     const V moved = hn::Neg(dot(p, d));
     const V3 q = p + d * moved;
-    const V x = q.x, z = q.z, w = set(height) - q.y, dw = hn::Neg(d.y);
+    const V x = q.x, z = q.z, r = slope * (set(nappe.height) - q.y) + set(nappe.radius);
+    const V dr = slope * hn::Neg(d.y);
 
-    const V a = d.x * d.x + d.z * d.z - slope2 * dw * dw;
-    const V b = x * d.x + z * d.z - slope2 * w * dw;
-    const V c = x * x + z * z - slope2 * w * w;
-    const V xw = x * dw - w * d.x, zw = z * dw - w * d.z, xz = x * d.z - z * d.x;
-    const V discriminant = slope2 * (xw * xw + zw * zw) - xz * xz;
+    const V a = d.x * d.x + d.z * d.z - dr * dr;
+    const V b = x * d.x + z * d.z - r * dr;
+    const V c = x * x + z * z - r * r;
+    const V xr = x * dr - r * d.x, zr = z * dr - r * d.z, xz = x * d.z - z * d.x;
+    const V discriminant = xr * xr + zr * zr - xz * xz;
 
     const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
     if (!any(hn::Or(a <= zero, discriminant >= zero))) return {infinity, minusInfinity};
-    const M linear = a == zero;
-    const V single = moved - c / (set(2) * b);
-    const M below = hn::And(b<zero, dw> zero), above = hn::And(b > zero, dw < zero);
 
     const V h = hn::Sqrt(greatest(discriminant, zero));
     const V sum = hn::Neg(select(b < zero, b - h, b + h));
     const V root1 = sum / a, root2 = select(sum != zero, c / sum, root1);
     const V low = moved + least(root1, root2), high = moved + greatest(root1, root2);
-    const M both = hn::And(a > zero, hn::And(discriminant >= zero, w - b / a * dw > zero));
-    const M steep = a<zero, down = dw> zero;
+    const M both = hn::And(a > zero, hn::And(discriminant >= zero, r - b / a * dr > zero));
+    const M steep = a<zero, down = dr> zero;
 
     // Empty unless one of the cases of the scalar form applies.
     V from = infinity, to = minusInfinity;
     from = select(both, low, from), to = select(both, high, to);
     from = select(steep, select(down, high, minusInfinity), from),
     to = select(steep, select(down, infinity, low), to);
-    from = select(linear, select(below, single, select(above, minusInfinity, infinity)), from);
-    to = select(linear, select(below, infinity, select(above, single, minusInfinity)), to);
+    const M linear = a == zero;
+    if (any(linear)) [[unlikely]] {
+        const V single = moved - c / (set(2) * b);
+        const M below = hn::And(b<zero, dr> zero), above = hn::And(b > zero, dr < zero);
+        const M along = hn::And(dr == zero, c <= zero);
+        from = select(linear, select(below, single, select(hn::Or(above, along), minusInfinity, infinity)),
+                      from);
+        to = select(linear, select(hn::Or(below, along), infinity, select(above, single, minusInfinity)), to);
+    }
     return {from, to};
 }
 
 HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
     const V zero = set(0), one = set(1);
     const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
-    auto [from, to] = stretchInNappe(p, d, c.slope, c.height);
+    auto [from, to] = stretchInNappe(p, d, c.nappe);
     const V base = hn::Neg(p.y) / d.y;
     const M baseEnters = hn::And(d.y > zero, base > from), baseLeaves = hn::And(d.y < zero, base < to);
     from = select(baseEnters, base, from), to = select(baseLeaves, base, to);
@@ -114,10 +121,29 @@ HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
     return {from, to, select(baseEnters, one, zero), select(baseLeaves, one, zero), hits, hits};
 }
 
+HWY_INLINE CrossingLanes crossings(const Frustum& f, V3 origin, V3 direction) {
+    const V zero = set(0), one = set(1), two = set(2);
+    const V3 p = toLocal(f.axes, origin - spread(f.centre)), d = toLocal(f.axes, direction);
+    auto [from, to] = stretchInNappe(p, d, f.nappe);
+    const V base = hn::Neg(p.y) / d.y, top = (set(f.height) - p.y) / d.y;
+    const M upwards = d.y > zero, level = d.y == zero;
+    const V enter = select(upwards, base, top), leave = select(upwards, top, base);
+    const M later = hn::AndNot(level, enter > from), earlier = hn::AndNot(level, leave < to);
+    from = select(later, enter, from), to = select(earlier, leave, to);
+    const M beside = hn::And(level, hn::Or(p.y<zero, p.y> set(f.height)));
+    const M hits = hn::AndNot(beside, from <= to);
+    return {from,
+            to,
+            select(later, select(upwards, one, two), zero),
+            select(earlier, select(upwards, two, one), zero),
+            hits,
+            hits};
+}
+
 HWY_INLINE CrossingLanes crossings(const TruncatedCone& c, V3 origin, V3 direction) {
     const V zero = set(0), height = set(c.height), infinity = set(Bounds::infinity);
     const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
-    const auto [from, to] = stretchInNappe(p, d, c.slope, c.coneHeight);
+    const auto [from, to] = stretchInNappe(p, d, c.nappe);
     const M hits = from <= to;
     const V fromY = p.y + from * d.y, toY = p.y + to * d.y;
     const M keepsFrom = hn::And(hn::Abs(from) < infinity, hn::And(fromY >= zero, fromY <= height));
@@ -138,6 +164,14 @@ HWY_INLINE CrossingLanes crossings(const Disc& s, V3 origin, V3 direction) {
     const V3 fromCentre = u + direction * t;
     return onceCrossed(t, fall,
                        hn::And(fall != set(0), dot(fromCentre, fromCentre) <= set(s.radius * s.radius)));
+}
+
+HWY_INLINE CrossingLanes crossings(const Plane& s, V3 origin, V3 direction) {
+    const V3 normal = spread(s.normal);
+    const V fall = hn::Neg(dot(direction, normal));
+    const V t = (dot(origin, normal) - set(s.distance)) / fall;
+    // A fall of 0 gives no finite t either.
+    return onceCrossed(t, fall, hn::Abs(t) < set(Bounds::infinity));
 }
 
 /// Where rounded products do not decide, which is rare, lane by lane with exact ones.
@@ -210,7 +244,7 @@ HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, co
                                    std::size_t at, V limit) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
     V fall = set(0), t = set(0);
-    const auto meetPlane = [&](const Plane& plane) HWY_ATTR {
+    const auto meetPlane = [&](const FacePlane& plane) HWY_ATTR {
         const V3 normal = spread(plane.normal);
         fall = hn::Neg(dot(direction, normal));
         t = dot(origin - spread(plane.anchor), normal) / fall;
