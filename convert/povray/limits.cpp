@@ -49,7 +49,7 @@ void reportPlane(const Scene& scene, std::size_t body, Ledger& ledger) {
                 "extent",
                 Action::approximated,
                 fmt::format("infinite; POV-Ray sees it up to {:.3g} from where a ray starts",
-                            farthest / worldScaleFor(extentOf(scene))),
+                            farthest / worldScaleOf(scene)),
                 {}});
 }
 
