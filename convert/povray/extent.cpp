@@ -18,7 +18,7 @@ double worldScaleFor(double extent, double least) {
 double worldScaleOf(const Scene& scene) {
     const bool hasPlanes = std::ranges::any_of(
         scene.bodies, [](const Body& body) { return std::holds_alternative<Plane>(body.shape); });
-    return hasPlanes ? worldScaleFor(extentOf(scene), 1e3) : worldScaleFor(extentOf(scene));
+    return hasPlanes ? worldScaleFor(extentOf(scene), 250) : worldScaleFor(extentOf(scene));
 }
 
 } // namespace yarte::convert::povray

@@ -13,8 +13,9 @@ double extentOf(const Scene&);
 /// 1e4; extents from 1e3 to 1e6 do for simpler scenes. 1 where the extent is 0 or not finite.
 double worldScaleFor(double extent, double least = 1e5);
 
-/// The scene's. POV-Ray's planes end at 1e7, and every horizon with them: with planes the extent is kept to
-/// 1e3, where what they lose and what the tolerances above do are about equally rare.
+/// The scene's. POV-Ray's planes end at 1e7, and so do their horizons, directly seen or in mirrors: with
+/// planes the extent is brought to [250, 500) only, where measurements found the fewest wrong pixels of both
+/// kinds.
 double worldScaleOf(const Scene&);
 
 } // namespace yarte::convert::povray

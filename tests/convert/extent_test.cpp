@@ -18,7 +18,7 @@ TEST(WorldScale, IsSmallerWithPlanes) {
     EXPECT_EQ(worldScaleOf(scene), 16384);
     scene.bodies.push_back({Plane{{0, 2, 0}, -4}, {}, {}, {}}); // the point below the camera counts
     EXPECT_EQ(extentOf(scene), 10);
-    EXPECT_EQ(worldScaleOf(scene), 128);
+    EXPECT_EQ(worldScaleOf(scene), 32);
 }
 
 TEST(WorldScale, IsAPowerOfTwoThatBringsTheExtentToAHundredThousand) {

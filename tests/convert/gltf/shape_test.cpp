@@ -90,7 +90,8 @@ TEST(GltfShapes, APlaneIsALargeSquareInIt) {
     EXPECT_LT(length(normalised(found.area) - Vec3{1, 2, -2} / 3), 1e-6)
         << "its front is where the normal points";
     bool isTold = false;
-    for (const LedgerRow& row : ledgerOf(scene).rows())
+    const Ledger ledger = ledgerOf(scene);
+    for (const LedgerRow& row : ledger.rows())
         isTold |= row.where == "body 1" && row.property == "extent" && row.action == Action::approximated;
     EXPECT_TRUE(isTold) << "that it ends";
 }

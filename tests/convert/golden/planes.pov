@@ -6,7 +6,7 @@
 #declare Image_Height = 48;
 #declare Display_Gamma = 1;
 #declare Max_Recursion = 2; // secondary generations of rays
-#declare World_Scale = 32; // of all lengths: POV-Ray's tolerances are absolute; a power of two changes no digit
+#declare World_Scale = 8; // of all lengths: POV-Ray's tolerances are absolute; a power of two changes no digit
 #declare Exposure = 1; // of all light: POV-Ray's files end at 1
 
 global_settings { assumed_gamma 1 max_trace_level Max_Recursion + 1 adc_bailout 0 }
