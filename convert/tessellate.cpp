@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace yarte::convert {
 namespace {
@@ -87,12 +88,13 @@ double sphereDeviation(const Tessellation& t, double radius) {
     return worst;
 }
 
-/// The first vertices lie around the y axis; of chords between them the middles are farthest inside.
-double ringDeviation(const Tessellation& t, std::uint32_t count, double radius) {
+/// `count` vertices from `first` on lie around the y axis; of chords between them the middles are farthest
+/// inside.
+double ringDeviation(const Tessellation& t, std::uint32_t first, std::uint32_t count, double radius) {
     const auto fromAxis = [](Vec3 p) { return std::hypot(p.x, p.z); };
     double worst = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
-        const Vec3 a = widened(t.positions[i]), b = widened(t.positions[(i + 1) % count]);
+        const Vec3 a = widened(t.positions[first + i]), b = widened(t.positions[first + (i + 1) % count]);
         worst = std::max({worst, std::abs(radius - fromAxis(a)), std::abs(radius - fromAxis((a + b) / 2))});
     }
     return worst;
@@ -130,10 +132,11 @@ public:
         }
     }
 
-    /// `radius` and `y` of the first circle, which is the largest.
-    Tessellation result(double radius, double y) && {
-        result_.deviation =
-            ringDeviation(result_, segments_, radius) + std::abs(widened(result_.positions[0]).y - y);
+    /// `radius` and `y` of the largest circle, and how many circles were made before it.
+    Tessellation result(double radius, double y, std::uint32_t circle = 0) && {
+        const std::uint32_t first = circle * segments_;
+        result_.deviation = ringDeviation(result_, first, segments_, radius) +
+                            std::abs(widened(result_.positions[first]).y - y);
         return std::move(result_);
     }
 
@@ -187,17 +190,27 @@ Tessellation tessellateBox(Vec3 sides) {
     return result;
 }
 
-Tessellation tessellateCone(double bottom, double top, double height, bool closed, double chordError) {
-    RoundBuilder round(segmentsOf(bottom, chordError));
+Tessellation tessellateCone(double bottom, double top, double height, Lids lids, double chordError) {
+    RoundBuilder round(segmentsOf(std::max(bottom, top), chordError));
     round.wall(bottom, top, height / 2);
-    if (closed) round.disc(bottom, -height / 2, false);
-    return std::move(round).result(bottom, -height / 2);
+    if (lids.bottom) round.disc(bottom, -height / 2, false);
+    if (lids.top) round.disc(top, height / 2, true);
+    return top > bottom ? std::move(round).result(top, height / 2, 1)
+                        : std::move(round).result(bottom, -height / 2);
 }
 
 Tessellation tessellateDisc(double radius, double chordError) {
     RoundBuilder round(segmentsOf(radius, chordError));
     round.disc(radius, 0, true);
     return std::move(round).result(radius, 0);
+}
+
+Tessellation tessellateSquare(double reach) {
+    Tessellation result;
+    for (const auto& [x, z] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}})
+        result.positions.push_back(rounded(Vec3{x * reach, 0, z * reach}));
+    result.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return result;
 }
 
 } // namespace yarte::convert

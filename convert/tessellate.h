@@ -1,7 +1,7 @@
 // Tessellation: shapes as triangles, for formats that know nothing else.
 //
 // Every shape is made in its local axes around its own middle, where float32 is most precise: a sphere, box
-// or disc around its centre, cones around the middle of their axis.
+// or disc around its centre, cones and cylinders around the middle of their axis.
 #pragma once
 
 #include "yarte/base/vec3.h"
@@ -29,9 +29,14 @@ inline constexpr double leastRelativeChordError = 4e-6;
 
 Tessellation tessellateSphere(double radius, double chordError);
 Tessellation tessellateBox(Vec3 sides);
-/// Axis +y, from the radius `bottom` to `top`, which may be 0; `closed`: with a disc at the bottom.
-Tessellation tessellateCone(double bottom, double top, double height, bool closed, double chordError);
+struct Lids {
+    bool bottom = false, top = false;
+};
+/// Axis +y, from the radius `bottom` to `top`, which may be 0; `lids`: the discs that close it.
+Tessellation tessellateCone(double bottom, double top, double height, Lids lids, double chordError);
 Tessellation tessellateDisc(double radius, double chordError);
+/// With the normal +y and sides of length 2 * `reach`.
+Tessellation tessellateSquare(double reach);
 
 Vec3f rounded(Vec3); ///< what is beyond float32 becomes its largest number
 Vec3 widened(const Vec3f&);

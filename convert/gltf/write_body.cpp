@@ -9,11 +9,16 @@
 #include <utility>
 
 namespace yarte::convert::gltf {
+
+bool isPlane(const Body& body) { return std::holds_alternative<Plane>(body.shape); }
+
 std::vector<ShownBody> shownBodies(const Scene& scene, Geometries& geometries) {
     std::vector<ShownBody> result;
+    const bool hasPlanes = std::ranges::any_of(scene.bodies, isPlane);
+    const Surround around = hasPlanes ? surroundOf(scene) : Surround{};
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
         const Body& body = scene.bodies[i];
-        ShownShape shape = shownShape(body, i);
+        ShownShape shape = shownShape(body, i, around);
         const Geometry& geometry = geometries.of(body, shape);
         result.push_back({body, std::move(shape), geometry});
     }
@@ -54,7 +59,13 @@ std::vector<std::size_t> writeBodies(const std::vector<ShownBody>& bodies, const
 std::optional<Extent> extentOf(const std::vector<ShownBody>& bodies) {
     if (bodies.empty()) return std::nullopt;
     Extent extent;
+    const auto isShownPlane = [](const ShownBody& shown) { return isPlane(shown.body); };
+    const bool hasPlanesOnly = std::ranges::all_of(bodies, isShownPlane);
     for (const auto& [body, shape, geometry] : bodies) {
+        if (isPlane(body)) {
+            if (hasPlanesOnly) extent.add(shape.middle);
+            continue;
+        }
         Extent box;
         box.add(geometry.low), box.add(geometry.high);
         extent.addPlaced(box, shape.world());

@@ -22,7 +22,10 @@ inline constexpr const char* rigidBodies = "KHR_physics_rigid_bodies";
 /// One node for each; the same triangles in the same material are one mesh. The nodes' indices.
 std::vector<std::size_t> writeBodies(const std::vector<ShownBody>&, const WrittenMaterials&, Output&);
 
-/// The box around all bodies; nothing without bodies.
+bool isPlane(const Body&);
+
+/// The box around all bodies but planes, around the middles of these if there is nothing else; nothing
+/// without bodies.
 std::optional<Extent> extentOf(const std::vector<ShownBody>&);
 
 } // namespace yarte::convert::gltf

@@ -13,9 +13,9 @@ const Geometry& Geometries::of(const Body& body, const ShownShape& shape) {
 }
 
 Geometry Geometries::make(const Body& body, const ShownShape& shape) {
-    const Tessellation t = tessellate(body, scene_, shape.middle, chordError_);
+    const Tessellation t = tessellate(body, shape, scene_, chordError_);
     Geometry result;
-    result.isClosed = shape.implicit.isObject();
+    result.isClosed = shape.implicit.isObject() && !std::holds_alternative<Plane>(body.shape);
     if (const auto* mesh = std::get_if<yarte::Mesh>(&body.shape)) {
         const MeshData& data = scene_.meshes[mesh->mesh.index];
         result.isClosed = convert::isClosed(data);

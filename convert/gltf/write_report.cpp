@@ -67,6 +67,10 @@ private:
         if (const auto* mesh = std::get_if<yarte::Mesh>(&b.shape);
             mesh && written_.isSaid[mesh->mesh.index]) {
             row("shape", Action::exact, "");
+        } else if (isPlane(b)) {
+            row("shape", Action::extras, "shown as a square");
+            row("extent", Action::approximated,
+                fmt::format("infinite; shown up to {:.3g} from the middle", shown.shape.reach));
         } else {
             row("shape", Action::extras,
                 fmt::format("shown as {} triangles, not farther from it than the bound",
@@ -95,7 +99,7 @@ void tellDeviation(const std::vector<ShownBody>& bodies, Diagnostics& diagnostic
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto& [body, shape, geometry] = bodies[i];
         if (std::holds_alternative<yarte::Mesh>(body.shape) || std::holds_alternative<Polygon>(body.shape) ||
-            std::holds_alternative<Box>(body.shape))
+            std::holds_alternative<Box>(body.shape) || isPlane(body))
             continue;
         ++curved;
         if (geometry.deviation >= most) most = geometry.deviation, worst = i;

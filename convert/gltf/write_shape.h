@@ -4,6 +4,7 @@
 #include "convert/format.h"
 #include "convert/gltf/geometry_print.h"
 #include "convert/gltf/write_json.h"
+#include "convert/surround.h"
 #include "convert/tessellate.h"
 #include "yarte/base/frame.h"
 
@@ -15,17 +16,22 @@ struct ShownShape {
     Frame axes;
     double scale = 1;
     Vec3 middle;
+    double reach = 0; ///< of a plane's square
     Json implicit; ///< a shape of KHR_implicit_shapes around the middle; null where it has none that is equal
 
     Transform world() const { return {axes.x * scale, axes.y * scale, axes.z * scale, middle}; }
 };
 
-ShownShape shownShape(const Body&, std::size_t body);
+/// `around`: the scene's, for planes only.
+ShownShape shownShape(const Body&, std::size_t body, const Surround& around);
+
+/// A plane is shown as a square that reaches so many times the scene's longest side from its middle.
+inline constexpr double planeReach = 30;
 
 /// Farthest that a chord may be from the surface, where the user does not say: a part of the radius.
 inline constexpr double defaultChordError = 1e-3;
 
 /// The triangles around the middle. `chordError`: in scene units.
-Tessellation tessellate(const Body&, const Scene&, Vec3 middle, std::optional<double> chordError);
+Tessellation tessellate(const Body&, const ShownShape&, const Scene&, std::optional<double> chordError);
 
 } // namespace yarte::convert::gltf

@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 namespace yarte::convert::povray {
@@ -48,8 +50,8 @@ struct Writer {
         return body.referential ? writtenAxes(*body.referential, index) : "";
     }
 
-    /// POV-Ray takes a camera behind a disc, or between the rims of an open cone, to be inside; the inverse
-    /// body is not.
+    /// POV-Ray takes a camera behind a disc, or between the rims of an open cone or cylinder, to be inside;
+    /// the inverse body is not.
     std::string outsideOfEye() const {
         const bool isTransmissive = writing.scene.materials[body.material.index].transmission > 0;
         return isTransmissive && wouldHoldEye(body, writing.scene.camera.position) ? "    inverse\n" : "";
@@ -97,6 +99,37 @@ struct Writer {
     std::string operator()(const Mesh& m) const {
         reportMesh(writing.scene, m, writing.plain, index, writing.ledger);
         return object("mesh", meshObject(writing.scene, body, m, writing.plain));
+    }
+
+    static std::string cylinder(double radius, double height) {
+        return fmt::format("cylinder {{\n    <0, 0, 0>, {}*World_Scale*y, {}*World_Scale\n",
+                           printNumber(height), printNumber(radius));
+    }
+
+    std::string operator()(const Cylinder& c) const {
+        return object("cylinder", cylinder(c.radius, c.height), placement(c.centre));
+    }
+
+    std::string operator()(const OpenCylinder& c) const {
+        return object("open cylinder", cylinder(c.radius, c.height) + "    open\n",
+                      outsideOfEye() + placement(c.centre));
+    }
+
+    std::string operator()(const Frustum& f) const {
+        return object(
+            "frustum",
+            fmt::format("cone {{\n    <0, 0, 0>, {}*World_Scale, {}*World_Scale*y, {}*World_Scale\n",
+                        printNumber(f.baseRadius), printNumber(f.height), printNumber(f.topRadius)),
+            placement(f.centre));
+    }
+
+    /// POV-Ray refuses a normal shorter than 1e-10.
+    std::string operator()(const Plane& p) const {
+        reportPlane(writing.scene, index, writing.ledger);
+        const double size = std::max({std::abs(p.normal.x), std::abs(p.normal.y), std::abs(p.normal.z)});
+        const Vec3 normal = size > 1e-9 && size < 1e100 ? p.normal : unitVector(p.normal);
+        return object(
+            "plane", fmt::format("plane {{\n    {}, {}*World_Scale\n", sdl(normal), printNumber(p.distance)));
     }
 };
 

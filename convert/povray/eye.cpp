@@ -21,6 +21,10 @@ double solidAngle(Vec3 a, Vec3 b, Vec3 c) {
 bool wouldHoldEye(const Body& body, Vec3 eye) {
     const Frame axes = body.referential ? resolveReferential(*body.referential) : Frame{};
     if (const auto* disc = std::get_if<Disc>(&body.shape)) return dot(eye - disc->centre, axes.y) < 0;
+    if (const auto* cylinder = std::get_if<OpenCylinder>(&body.shape)) {
+        const Vec3 p = axes.toLocal(eye - cylinder->centre);
+        return p.y >= 0 && p.y <= cylinder->height && std::hypot(p.x, p.z) <= cylinder->radius;
+    }
     const auto* cone = std::get_if<TruncatedCone>(&body.shape);
     if (!cone) return false;
     const Vec3 p = axes.toLocal(eye - cone->centre);

@@ -6,8 +6,9 @@
 
 namespace yarte::convert::povray {
 
-/// True if POV-Ray would take a camera at `eye` to start inside this disc or truncated cone: a disc's inside
-/// is the half-space behind it, an open cone's that of a closed one. In YARTE an open body has no inside.
+/// True if POV-Ray would take a camera at `eye` to start inside this disc, truncated cone or open
+/// cylinder: a disc's inside is the half-space behind it, an open cone's or cylinder's that of a closed one.
+/// In YARTE an open body has no inside.
 bool wouldHoldEye(const Body&, Vec3 eye);
 
 /// True if the mesh is closed and `eye` is inside. `placed`: its vertices in the world.

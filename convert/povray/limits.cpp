@@ -1,5 +1,6 @@
 #include "convert/povray/limits.h"
 
+#include "convert/povray/extent.h"
 #include "convert/povray/mesh.h"
 #include "yarte/scene/planarity.h"
 
@@ -40,6 +41,16 @@ void reportPolygon(const Polygon& polygon, std::size_t body, Ledger& ledger) {
     if (error > planar)
         ledger.add({bodyName(body), "vertices", Action::approximated,
                     "moved into one plane; relative to the size", error});
+}
+
+void reportPlane(const Scene& scene, std::size_t body, Ledger& ledger) {
+    constexpr double farthest = 1e7; // that POV-Ray meets, from where a ray starts
+    ledger.add({bodyName(body),
+                "extent",
+                Action::approximated,
+                fmt::format("infinite; POV-Ray sees it up to {:.3g} from where a ray starts",
+                            farthest / worldScaleOf(scene)),
+                {}});
 }
 
 void reportMesh(const Scene& scene, const Mesh& mesh, bool plain, std::size_t body, Ledger& ledger) {

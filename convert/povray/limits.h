@@ -10,6 +10,8 @@ namespace yarte::convert::povray {
 
 void reportScene(const Scene&, Ledger&);
 void reportPolygon(const Polygon&, std::size_t body, Ledger&);
+/// POV-Ray's planes end.
+void reportPlane(const Scene&, std::size_t body, Ledger&);
 /// `plain`: as --plain-textures writes it.
 void reportMesh(const Scene&, const Mesh&, bool plain, std::size_t body, Ledger&);
 

@@ -32,7 +32,7 @@ global_settings {{ assumed_gamma 1 max_trace_level Max_Recursion + 1 adc_bailout
 #default {{ finish {{ ambient 0 diffuse 0 }} }}
 )",
                        source, width, height, width, height, printNumber(scene.gamma), scene.maxRecursion,
-                       printNumber(worldScaleFor(extentOf(scene))), printNumber(c.options.exposure));
+                       printNumber(worldScaleOf(scene)), printNumber(c.options.exposure));
 }
 
 std::string settings(const Scene& scene, const Sources& sources) {

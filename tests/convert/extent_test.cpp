@@ -10,6 +10,17 @@
 namespace yarte::convert::povray {
 namespace {
 
+TEST(WorldScale, IsSmallerWithPlanes) {
+    Scene scene;
+    scene.camera.position = {0, 6, 0};
+    scene.bodies.push_back({Sphere{{0, 0, 0}, 1}, {}, {}, {}});
+    EXPECT_EQ(extentOf(scene), 7);
+    EXPECT_EQ(worldScaleOf(scene), 16384);
+    scene.bodies.push_back({Plane{{0, 2, 0}, -4}, {}, {}, {}}); // the point below the camera counts
+    EXPECT_EQ(extentOf(scene), 10);
+    EXPECT_EQ(worldScaleOf(scene), 32);
+}
+
 TEST(WorldScale, IsAPowerOfTwoThatBringsTheExtentToAHundredThousand) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> exponent(-12, 12);

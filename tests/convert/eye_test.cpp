@@ -65,9 +65,19 @@ TEST(Eye, IsTakenToBeInsideAnOpenConeBetweenItsRims) {
     EXPECT_FALSE(wouldHoldEye(cone, {0, -0.1, 0}));
 }
 
+TEST(Eye, IsTakenToBeInsideAnOpenCylinder) {
+    const Body tube{OpenCylinder{{0, 0, 0}, 2, 3}, {}, Referential{{1, 0, 0}, {0, 0, 1}, {}}, {}};
+    EXPECT_TRUE(wouldHoldEye(tube, {1.9, 0, 1}));
+    EXPECT_FALSE(wouldHoldEye(tube, {1.9, 1, 1}));
+    EXPECT_FALSE(wouldHoldEye(tube, {0, 0, 3.1}));
+    EXPECT_FALSE(wouldHoldEye(tube, {0, 0, -0.1}));
+}
+
 TEST(Eye, IsNotConcernedByOtherShapes) {
     EXPECT_FALSE(wouldHoldEye({Sphere{{0, 0, 0}, 2}, {}, {}, {}}, {0, 0, 0}));
     EXPECT_FALSE(wouldHoldEye({Cone{{0, 0, 0}, 2, 2}, {}, {}, {}}, {0, 1, 0}));
+    EXPECT_FALSE(wouldHoldEye({Cylinder{{0, 0, 0}, 2, 2}, {}, {}, {}}, {0, 1, 0}));
+    EXPECT_FALSE(wouldHoldEye({Plane{{0, 1, 0}, 2}, {}, {}, {}}, {0, 1, 0}));
 }
 
 } // namespace

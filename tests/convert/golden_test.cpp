@@ -35,6 +35,7 @@ TEST_P(GoldenSdl, IsAsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(, GoldenSdl,
                          testing::Values(Golden{"shapes.yarte", "shapes.pov", false},
+                                         Golden{"planes.yarte", "planes.pov", false},
                                          Golden{"meshes.yarte", "meshes.pov", false},
                                          Golden{"meshes.yarte", "meshes_plain.pov", true}));
 
@@ -55,6 +56,15 @@ TEST(Sdl, LosesNothing) {
                                    "material 1|everything|exact\n"
                                    "material 2|everything|exact\n");
     EXPECT_EQ(run.problems(), "");
+}
+
+TEST(Sdl, SaysWherePlanesEnd) {
+    const Converted run(options(goldenFolder / "planes.yarte", "a.pov"));
+    ASSERT_TRUE(run.ledger.hasLoss()) << run.problems();
+    const LedgerRow& row = run.ledger.rows().back();
+    EXPECT_EQ(row.where, "body 3");
+    EXPECT_EQ(row.property, "extent");
+    EXPECT_EQ(row.action, Action::approximated);
 }
 
 TEST(Sdl, SaysHowFarAPolygonIsFromItsPlane) {

@@ -69,7 +69,7 @@ private:
         return result;
     }
     Shape shape() {
-        switch (random_.below(6)) {
+        switch (random_.below(10)) {
         case 0: return Sphere{vector(), positive()};
         case 1: return Box{vector(), {positive(), positive(), positive()}};
         case 2: return Cone{vector(), positive(), positive()};
@@ -78,6 +78,10 @@ private:
             return TruncatedCone{vector(), positive(), height, height * random_.between(0.1, 1)};
         }
         case 4: return Disc{vector(), positive()};
+        case 5: return Cylinder{vector(), positive(), positive()};
+        case 6: return OpenCylinder{vector(), positive(), positive()};
+        case 7: return Frustum{vector(), positive(), positive(), positive()};
+        case 8: return Plane{vector(), number()};
         default: return polygon();
         }
     }

@@ -17,6 +17,11 @@ TEST(CheckShape, GoodOnesAreGood) {
     expectGood(check(Shape(Disc{})));
     expectGood(check(Shape(Polygon{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}})));
     expectGood(check(Shape(Mesh{})));
+    expectGood(check(Shape(Cylinder{})));
+    expectGood(check(Shape(OpenCylinder{})));
+    expectGood(check(Shape(Frustum{{}, 1, 2, 3})));
+    expectGood(check(Shape(Frustum{{}, 2, 2, 3})));
+    expectGood(check(Shape(Plane{{0, 0, -1e-300}, -2})));
 }
 
 TEST(CheckShape, RadiiArePositive) {
@@ -26,6 +31,27 @@ TEST(CheckShape, RadiiArePositive) {
     expectProblem(check(Shape(Cone{{}, -1, 1})), radiusCode, "radius must be positive, got -1", 3);
     expectProblem(check(Shape(TruncatedCone{{}, -1, 1, 1})), radiusCode, "radius must be positive, got -1",
                   3);
+}
+
+TEST(CheckShape, CylindersAndFrustums) {
+    expectProblem(check(Shape(Cylinder{{}, -1, 1})), radiusCode, "radius must be positive, got -1", 3);
+    expectProblem(check(Shape(Cylinder{{}, 1, 0})), heightCode, "height must be positive, got 0", 4);
+    expectProblem(check(Shape(OpenCylinder{{}, 0, 1})), radiusCode, "radius must be positive, got 0", 3);
+    expectProblem(check(Shape(OpenCylinder{{}, 1, -2})), heightCode, "height must be positive, got -2", 4);
+    expectProblem(check(Shape(Frustum{{}, 0, 1, 1})), radiusCode, "the base's radius must be positive, got 0",
+                  3);
+    expectProblem(check(Shape(Frustum{{}, 1, -1, 1})), radiusCode,
+                  "the top's radius must be positive, got -1", 4);
+    expectProblem(check(Shape(Frustum{{}, 1, 1, 0})), heightCode, "height must be positive, got 0", 5);
+}
+
+TEST(CheckShape, APlaneHasANormal) {
+    expectProblem(check(Shape(Plane{{0, -0.0, 0}, 1})), "scene.normal-zero",
+                  "a plane's normal must not be 0 0 0", 0, 3);
+    expectProblem(check(Shape(Plane{{0, infinity, 0}, 1})), "scene.not-finite",
+                  "a number must be finite, got inf", 1);
+    expectProblem(check(Shape(Plane{{0, 1, 0}, infinity})), "scene.not-finite",
+                  "a number must be finite, got inf", 3);
 }
 
 TEST(CheckShape, HeightsAndSides) {
@@ -43,7 +69,8 @@ TEST(CheckShape, HeightsAndSides) {
 TEST(CheckShape, EveryNumberIsFinite) {
     const Vec3 bad{0, 0, infinity};
     for (const Shape& shape : std::initializer_list<Shape>{
-             Sphere{bad, 1}, Box{bad, {1, 1, 1}}, Cone{bad, 1, 1}, TruncatedCone{bad, 1, 1, 1}, Disc{bad, 1}})
+             Sphere{bad, 1}, Box{bad, {1, 1, 1}}, Cone{bad, 1, 1}, TruncatedCone{bad, 1, 1, 1}, Disc{bad, 1},
+             Cylinder{bad, 1, 1}, OpenCylinder{bad, 1, 1}, Frustum{bad, 1, 1, 1}, Plane{bad, 1}})
         expectProblem(check(shape), "scene.not-finite", "a number must be finite, got inf", 2);
     expectProblem(check(Shape(Sphere{{}, std::nan("")})), "scene.not-finite",
                   "a number must be finite, got nan", 3);

@@ -4,6 +4,7 @@
 #include "yarte/scene/scene.h"
 
 #include <random>
+#include <utility>
 
 namespace yarte::test {
 
@@ -55,7 +56,7 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// Shapes of all kinds, some transmissive with different ct, some overlapping.
+/// Bounded shapes of all kinds, some transmissive with different ct, some overlapping.
 inline Scene mixedScene(int count, unsigned seed) {
     Random random(seed);
     Scene scene = emptyScene();
@@ -76,7 +77,7 @@ inline Scene mixedScene(int count, unsigned seed) {
         const auto turned = [&](Shape shape) {
             add(scene, std::move(shape), material).referential = random.referential();
         };
-        switch (i % 7) {
+        switch (i % 10) {
         case 0: add(scene, Sphere{c, s}, material); break;
         case 1: turned(Box{c, {s, 2 * s, s}}); break;
         case 2: turned(Cone{c, s, 2 * s}); break;
@@ -85,6 +86,9 @@ inline Scene mixedScene(int count, unsigned seed) {
         case 5:
             add(scene, Polygon{{c, c + Vec3{s, 0, 0}, c + Vec3{s, s, 0}, c + Vec3{0, s, 0}}}, material);
             break;
+        case 6: turned(Cylinder{c, s, 2 * s}); break;
+        case 7: turned(OpenCylinder{c, s, 2 * s}); break;
+        case 8: turned(Frustum{c, s, s * random.between(0.2, 3), 2 * s}); break;
         default: {
             Referential axes = random.referential();
             axes.z = Vec3{};
@@ -93,6 +97,21 @@ inline Scene mixedScene(int count, unsigned seed) {
         }
     }
     return scene;
+}
+
+/// Adds planes, far and near, every other one transmissive; between the bodies of the file if it can.
+inline void addPlanes(Scene& scene, int count, unsigned seed) {
+    Random random(seed);
+    for (int i = 0; i < count; ++i) {
+        Material material = matt({random.between(0, 1), random.between(0, 1), random.between(0, 1)});
+        if (i % 2 == 0) material.transmission = random.between(0.6, 1), material.index = random.between(1, 2);
+        if (i % 3 == 0) material.reflection = random.between(0.1, 0.6);
+        add(scene, Plane{random.direction() * random.between(0.1, 9), random.between(-12, 12)}, material)
+            .back = BackColours{{0.1, 0, 0}, {0, random.between(0, 1), 0}, {}};
+        const auto last = scene.bodies.size() - 1;
+        std::swap(scene.bodies[last],
+                  scene.bodies[static_cast<std::size_t>(random.below(static_cast<int>(last + 1)))]);
+    }
 }
 
 } // namespace yarte::test

@@ -38,6 +38,7 @@ TEST_P(EveryTarget, GivesTheBitsOfThePlainCode) {
     for (const int count : {5, 11, 60, 500}) { // without and with a tree
         for (unsigned seed = 1; seed <= 4; ++seed) {
             Scene scene = test::mixedScene(count, seed);
+            if (seed > 2) test::addPlanes(scene, 3, seed);
             scene.camera.position = {1, 2, 25};
             scene.background = {0.1, 0.2, 0.3};
             scene.maxRecursion = 5;
@@ -77,6 +78,28 @@ TEST_P(EveryTarget, SmoothMeshes) {
     scene.lights.push_back({{5, 6, 7}, {1, 1, 1}, {}});
     const WorldPtr world = buildWorld(scene, {80, 60});
     const Tile tile{0, 0, 80, 60};
+    EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)));
+}
+
+TEST_P(EveryTarget, LinesAlongAxesAndPlanes) {
+    // Rays along cylinders, in the planes of lids and of planes, and through an apex: where coefficients
+    // vanish.
+    Scene scene = test::emptyScene();
+    scene.camera.position = {0, 0, 8};
+    scene.background = {0.1, 0.2, 0.3};
+    const Referential towards{{1, 0, 0}, {0, 0, 1}, {}};
+    const auto turned = [&](Shape shape) {
+        test::add(scene, std::move(shape), test::matt({0.5, 0.6, 0.7})).referential = towards;
+    };
+    turned(Cylinder{{0, 0, 0}, 0.5, 1});
+    turned(OpenCylinder{{0, 0, 2}, 0.7, 1});
+    turned(Frustum{{0, 0, -2}, 2, 1, 1});
+    turned(Cone{{2, 0, 0}, 1, 1});
+    test::add(scene, Plane{{0, 1, 0}, 0}, test::matt({1, 0, 0}));
+    test::add(scene, Plane{{0, 0, 1}, -3}, test::mirror(1));
+    scene.lights.push_back({{0, 0, 5}, {1, 1, 1}, {}});
+    const WorldPtr world = buildWorld(scene, {65, 65}); // odd: the middle ones look along the axes
+    const Tile tile{0, 0, 65, 65};
     EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)));
 }
 

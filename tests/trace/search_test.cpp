@@ -10,8 +10,12 @@ using namespace yarte::trace;
 namespace {
 
 TEST(Search, TreeFindsWhatBruteForceFindsToTheLastBit) {
-    for (const unsigned seed : {1u, 2u, 3u}) {
-        const WorldPtr world = buildWorld(test::mixedScene(400, seed), {64, 64});
+    for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+        Scene scene = test::mixedScene(400, seed);
+        const int planes = seed > 3 ? 3 : 0;
+        test::addPlanes(scene, planes, seed);
+        const WorldPtr world = buildWorld(scene, {64, 64});
+        EXPECT_EQ(world->tree.entries.size() + static_cast<std::size_t>(planes), world->elements.size());
         ASSERT_FALSE(world->tree.empty());
         test::Random random(seed + 100);
         int hits = 0, partial = 0;
@@ -41,6 +45,17 @@ TEST(Search, TreeFindsWhatBruteForceFindsToTheLastBit) {
         EXPECT_GT(hits, 1000);
         EXPECT_GT(partial, 50);
     }
+}
+
+TEST(Search, PlanesAreInNoTreeAndCountForNone) {
+    Scene scene = test::emptyScene();
+    test::addPlanes(scene, 20, 1);
+    const WorldPtr planes = buildWorld(scene, {1, 1});
+    EXPECT_EQ(planes->unbounded.size(), 20U);
+    EXPECT_TRUE(planes->tree.empty());
+    EXPECT_TRUE(nearestHit(*planes, {{0, 0, 0}, normalised({1, 2, 3}), {}}));
+    for (int i = 0; i < 12; ++i) test::add(scene, yarte::Sphere{{double(i), 50, 0}, 0.4}, test::matt({}));
+    EXPECT_EQ(buildWorld(scene, {1, 1})->tree.entries.size(), 12U);
 }
 
 TEST(Search, OfTwoAtEqualDistanceTheFirstInTheFileWins) {
@@ -77,7 +92,8 @@ TEST(Search, ASphereDimsTheLightTwiceASheetOnce) {
 
 TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
-        const Scene scene = test::mixedScene(7, seed); // one of each kind
+        Scene scene = test::mixedScene(10, seed); // one of each bounded kind
+        test::addPlanes(scene, 1, seed);
         const WorldPtr world = buildWorld(scene, {1, 1});
         test::Random random(seed);
         for (std::uint32_t e = 0; e < world->elements.size(); ++e) {
@@ -95,6 +111,7 @@ TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {
                         alone.boxes = world->boxes;
                         alone.cones = world->cones, alone.truncatedCones = world->truncatedCones;
                         alone.discs = world->discs, alone.faces = world->faces;
+                        alone.frustums = world->frustums, alone.planes = world->planes;
                         const auto outside = nearestHitBrute(alone, {point, away, {{e}, Side::outside}});
                         EXPECT_TRUE(!outside || outside->element != ElementId{e})
                             << "seed " << seed << " element " << e;

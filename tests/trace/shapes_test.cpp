@@ -3,6 +3,8 @@
 #include "yarte/trace/box.h"
 #include "yarte/trace/cone.h"
 #include "yarte/trace/disc.h"
+#include "yarte/trace/frustum.h"
+#include "yarte/trace/plane.h"
 #include "yarte/trace/sphere.h"
 #include "yarte/trace/truncated_cone.h"
 
@@ -54,6 +56,39 @@ struct TruncatedConeKind {
     }
     double residual(Vec3 p, std::uint8_t) const { return std::hypot(p.x, p.z) - r * (1 - p.y / full); }
 };
+struct OpenCylinderKind {
+    using Shape = trace::TruncatedCone;
+    double r, h;
+    explicit OpenCylinderKind(test::Random& random) : r(random.between(0.1, 3)), h(random.between(0.1, 3)) {}
+    Shape make(Vec3 centre, const Frame& axes) const {
+        return Shape(yarte::OpenCylinder{centre, r, h}, axes);
+    }
+    double residual(Vec3 p, std::uint8_t) const { return std::hypot(p.x, p.z) - r; }
+};
+struct CylinderKind {
+    using Shape = trace::Frustum;
+    double r, h;
+    explicit CylinderKind(test::Random& random) : r(random.between(0.1, 3)), h(random.between(0.1, 3)) {}
+    Shape make(Vec3 centre, const Frame& axes) const { return Shape(yarte::Cylinder{centre, r, h}, axes); }
+    double residual(Vec3 p, std::uint8_t part) const {
+        return part == 0 ? std::hypot(p.x, p.z) - r : part == 1 ? p.y : p.y - h;
+    }
+};
+struct FrustumKind {
+    using Shape = trace::Frustum;
+    double r, top, h;
+    /// Some nearly cylindrical, either end the larger.
+    explicit FrustumKind(test::Random& random)
+        : r(random.between(0.1, 3)),
+          top(random.below(3) == 0 ? r * (1 + random.between(-1e-9, 1e-9)) : random.between(0.1, 3)),
+          h(random.between(0.1, 3)) {}
+    Shape make(Vec3 centre, const Frame& axes) const {
+        return Shape(yarte::Frustum{centre, r, top, h}, axes);
+    }
+    double residual(Vec3 p, std::uint8_t part) const {
+        return part == 0 ? std::hypot(p.x, p.z) - (r + (top - r) * p.y / h) : part == 1 ? p.y : p.y - h;
+    }
+};
 struct DiscKind {
     using Shape = trace::Disc;
     double r;
@@ -64,7 +99,8 @@ struct DiscKind {
 
 template <class Kind>
 class ShapeProperties : public testing::Test {};
-using Kinds = testing::Types<SphereKind, BoxKind, ConeKind, TruncatedConeKind, DiscKind>;
+using Kinds = testing::Types<SphereKind, BoxKind, ConeKind, TruncatedConeKind, DiscKind, OpenCylinderKind,
+                             CylinderKind, FrustumKind>;
 TYPED_TEST_SUITE(ShapeProperties, Kinds);
 
 Ray towards(Vec3 target, Vec3 origin) { return {origin, normalised(target - origin), {}}; }
@@ -144,6 +180,7 @@ TYPED_TEST(ShapeProperties, ScalingByAPowerOfTwoScalesTByExactlyIt) {
         if constexpr (requires { big.r; }) big.r *= 1024;
         if constexpr (requires { big.h; }) big.h *= 1024;
         if constexpr (requires { big.full; }) big.full *= 1024;
+        if constexpr (requires { big.top; }) big.top *= 1024;
         const auto b = crossings(big.make({}, Frame{}), {ray.origin * 1024, ray.direction, {}});
         ASSERT_EQ(a.count, b.count);
         for (int k = 0; k < a.count; ++k) EXPECT_EQ(a.list[k].t * 1024, b.list[k].t) << "seed " << seed;
@@ -201,6 +238,168 @@ TEST(TruncatedCone, IsOpenAtBothEnds) {
     EXPECT_EQ(crossings(cone, {{1.75, 10, 0}, {0, -1, 0}, {}}).count, 1); // through the wall
     EXPECT_EQ(crossings(cone, {{-10, 0.5, 0}, {1, 0, 0}, {}}).count, 2);
     EXPECT_EQ(crossings(cone, {{-10, 1.01, 0}, {1, 0, 0}, {}}).count, 0); // above what is kept
+}
+
+TEST(OpenCylinder, IsOpenAtBothEnds) {
+    const trace::TruncatedCone tube(yarte::OpenCylinder{{0, 0, 0}, 2, 4}, Frame{});
+    EXPECT_EQ(crossings(tube, {{0.1, 10, 0}, {0, -1, 0}, {}}).count, 0); // along the axis
+    EXPECT_EQ(crossings(tube, {{2, 10, 0}, {0, -1, 0}, {}}).count, 0);   // along the wall
+    const auto across = crossings(tube, {{-10, 3, 1.2}, {1, 0, 0}, {}}); // half a chord is 1.6
+    ASSERT_EQ(across.count, 2);
+    EXPECT_EQ(across.list[0].t, 8.4);
+    EXPECT_EQ(across.list[1].t, 11.6);
+    EXPECT_EQ(crossings(tube, {{-10, 4.01, 0}, {1, 0, 0}, {}}).count, 0);
+    const auto in =
+        crossings(tube, {{0, 10, 0}, normalised({1, -4, 0}), {}}); // in from above, out through the wall
+    ASSERT_EQ(in.count, 1);
+    EXPECT_FALSE(in.list[0].entering);
+    EXPECT_NEAR(in.list[0].t, 2 * std::sqrt(17.0), 1e-14);
+    EXPECT_EQ(outwardNormal(tube, {0, 1, -2}, 0), (Vec3{0, 0, -1}));
+}
+
+TEST(Cylinder, ClosedForm) {
+    const trace::Frustum c(yarte::Cylinder{{0, 0, 0}, 5, 4}, Frame{});
+    const auto across = crossings(c, {{-10, 1, 3}, {1, 0, 0}, {}});
+    ASSERT_EQ(across.count, 2);
+    EXPECT_EQ(across.list[0].t, 6);
+    EXPECT_EQ(across.list[1].t, 14);
+    const auto down =
+        crossings(c, {{3, 10, 4}, {0, -1, 0}, {}}); // along the wall itself: its rim counts as inside
+    ASSERT_EQ(down.count, 2);
+    EXPECT_EQ(down.list[0].t, 6);
+    EXPECT_EQ(down.list[0].part, 2);
+    EXPECT_EQ(down.list[1].t, 10);
+    EXPECT_EQ(down.list[1].part, 1);
+    EXPECT_EQ(crossings(c, {{3.0000001, 10, 4}, {0, -1, 0}, {}}).count, 0);
+    EXPECT_EQ(crossings(c, {{3, -10, 4}, {0, 1, 0}, {}}).list[0].part, 1);
+    EXPECT_EQ(outwardNormal(c, {3, 4, 4}, 2), (Vec3{0, 1, 0}));
+    EXPECT_EQ(outwardNormal(c, {3, 0, 4}, 1), (Vec3{0, -1, 0}));
+    const Vec3 n = outwardNormal(c, {3, 1, 4}, 0);
+    EXPECT_NEAR(n.x, 0.6, 1e-15);
+    EXPECT_EQ(n.y, 0);
+    EXPECT_NEAR(n.z, 0.8, 1e-15);
+}
+
+TEST(Cylinder, GrazingLines) {
+    const trace::Frustum c(yarte::Cylinder{{0, 0, 0}, 1, 4}, Frame{});
+    const auto touching = crossings(c, {{-10, 2, 1}, {1, 0, 0}, {}}); // a tangent meets it twice in one point
+    ASSERT_EQ(touching.count, 2);
+    EXPECT_EQ(touching.list[0].t, 10);
+    EXPECT_EQ(touching.list[1].t, 10);
+    EXPECT_EQ(crossings(c, {{-10, 2, std::nextafter(1, 2)}, {1, 0, 0}, {}}).count, 0);
+    // In the plane of a lid: inside, as a box's face is; beyond it: not.
+    EXPECT_EQ(crossings(c, {{-10, 4, 0.5}, {1, 0, 0}, {}}).count, 2);
+    EXPECT_EQ(crossings(c, {{-10, 0, 0.5}, {1, -0.0, 0}, {}}).count, 2);
+    EXPECT_EQ(crossings(c, {{-10, std::nextafter(4, 5), 0.5}, {1, 0, 0}, {}}).count, 0);
+    EXPECT_EQ(crossings(c, {{-10, -1e-300, 0.5}, {1, 0, 0}, {}}).count, 0);
+}
+
+TEST(Cylinder, LinesNextToItsAxis) {
+    // So nearly parallel that the quadratic's coefficients are small, subnormal, or 0.
+    const trace::Frustum c(yarte::Cylinder{{0, 0, 0}, 1, 4}, Frame{});
+    for (const double lean : {1e-8, 1e-100, 1e-160, 1e-162, 1e-170, 1e-310, 0.0})
+        for (const double x : {0.0, 0.5, -0.5}) {
+            const auto list = crossings(c, {{x, 10, 0}, {lean, -1, 0}, {}});
+            ASSERT_EQ(list.count, 2) << lean << ' ' << x;
+            EXPECT_EQ(list.list[0].t, 6) << lean << ' ' << x;
+            EXPECT_EQ(list.list[0].part, 2);
+            EXPECT_EQ(list.list[1].t, 10) << lean << ' ' << x;
+            EXPECT_EQ(list.list[1].part, 1);
+            EXPECT_EQ(crossings(c, {{1.5, 10, 0}, {lean, -1, 0}, {}}).count, 0) << lean;
+        }
+}
+
+TEST(Cylinder, AWireFarAwayKeepsItsDigits) {
+    const trace::Frustum c(yarte::Cylinder{{0, -50, 0}, 1e-3, 100}, Frame{});
+    const auto list = crossings(c, {{1e6, 0, 6e-4}, {-1, 0, 0}, {}});
+    ASSERT_EQ(list.count, 2);
+    EXPECT_NEAR(list.list[0].t, 1e6 - 8e-4, 2e-10); // one ulp of t
+    EXPECT_NEAR(list.list[1].t, 1e6 + 8e-4, 2e-10);
+}
+
+TEST(Frustum, ClosedForm) {
+    for (const bool isUpright : {true, false}) { // the larger disc below or above
+        const double r = isUpright ? 3 : 1, top = isUpright ? 1 : 3;
+        const trace::Frustum f(yarte::Frustum{{0, 0, 0}, r, top, 4}, Frame{});
+        const auto across = crossings(f, {{-10, 2, 0}, {1, 0, 0}, {}}); // half way up the radius is 2
+        ASSERT_EQ(across.count, 2);
+        EXPECT_NEAR(across.list[0].t, 8, 1e-14);
+        EXPECT_NEAR(across.list[1].t, 12, 1e-14);
+        const auto down =
+            crossings(f, {{2, 10, 0}, {0, -1, 0}, {}}); // one end through the wall, one through a lid
+        ASSERT_EQ(down.count, 2);
+        EXPECT_NEAR(down.list[0].t, isUpright ? 8 : 6, 1e-14);
+        EXPECT_EQ(down.list[0].part, isUpright ? 0 : 2);
+        EXPECT_NEAR(down.list[1].t, isUpright ? 10 : 8, 1e-14);
+        EXPECT_EQ(down.list[1].part, isUpright ? 1 : 0);
+        const Vec3 n = outwardNormal(f, {2, 2, 0}, 0);
+        EXPECT_NEAR(n.x, 2 / std::sqrt(5.0), 1e-15);
+        EXPECT_NEAR(n.y, (isUpright ? 1 : -1) / std::sqrt(5.0), 1e-15);
+        EXPECT_EQ(crossings(f, {{-10, 5, 0}, {1, 0, 0}, {}}).count, 0);
+        EXPECT_EQ(crossings(f, {{-10, -0.1, 0}, {1, 0, 0}, {}}).count, 0);
+    }
+}
+
+TEST(Frustum, OtherNappeIsNotMet) {
+    // The cone goes on to its apex at y = 6 and, mirrored, beyond.
+    const trace::Frustum f(yarte::Frustum{{0, 0, 0}, 3, 1, 4}, Frame{});
+    EXPECT_EQ(crossings(f, {{-10, 9, 0}, {1, 0, 0}, {}}).count, 0);
+    const auto steep = crossings(f, {{0.1, 20, 0}, normalised({0.02, -1, 0}), {}});
+    ASSERT_EQ(steep.count, 2);
+    EXPECT_EQ(steep.list[0].part, 2);
+    EXPECT_EQ(steep.list[1].part, 1);
+}
+
+TEST(Frustum, OfEqualRadiiIsACylinder) {
+    test::Random random(5);
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 centre = random.inCube(3);
+        const double r = random.between(0.1, 2), h = random.between(0.1, 5);
+        const Frame axes = resolveReferential(random.referential());
+        const Ray ray = towards(centre + random.inCube(1), random.inCube(10));
+        const auto a = crossings(trace::Frustum(yarte::Cylinder{centre, r, h}, axes), ray),
+                   b = crossings(trace::Frustum(yarte::Frustum{centre, r, r, h}, axes), ray);
+        ASSERT_EQ(a.count, b.count);
+        for (int k = 0; k < a.count; ++k) EXPECT_EQ(a.list[k].t, b.list[k].t);
+    }
+}
+
+TEST(Plane, ClosedForm) {
+    const trace::Plane floor(yarte::Plane{{0, 2, 0}, -3}); // the normal's length does not count
+    const auto down = crossings(floor, {{5, 4, 6}, {0, -1, 0}, {}});
+    ASSERT_EQ(down.count, 1);
+    EXPECT_EQ(down.list[0].t, 7);
+    EXPECT_TRUE(down.list[0].entering);
+    const auto up = crossings(floor, {{5, -5, 6}, {0, 1, 0}, {}});
+    ASSERT_EQ(up.count, 1);
+    EXPECT_EQ(up.list[0].t, 2);
+    EXPECT_FALSE(up.list[0].entering);
+    EXPECT_EQ(outwardNormal(floor, {}, 0), (Vec3{0, 1, 0}));
+    EXPECT_EQ(heightAbove(floor, {7, 1, 8}), 4);
+
+    const trace::Plane tilted(yarte::Plane{{3, 4, 0}, 5}); // through (3, 4, 0) and (25/3, 0, 0)
+    const auto along = crossings(tilted, {{0, 0, 0}, {1, 0, 0}, {}});
+    ASSERT_EQ(along.count, 1);
+    EXPECT_NEAR(along.list[0].t, 25 / 3.0, 1e-14);
+}
+
+TEST(Plane, ParallelLinesDoNotMeetIt) {
+    const trace::Plane floor(yarte::Plane{{0, 1, 0}, 1});
+    EXPECT_EQ(crossings(floor, {{0, 5, 0}, {1, 0, 0}, {}}).count, 0);
+    EXPECT_EQ(crossings(floor, {{0, 1, 0}, {1, 0, 0}, {}}).count, 0); // within
+    EXPECT_EQ(crossings(floor, {{0, 1, 0}, {1, -0.0, 0}, {}}).count, 0);
+    EXPECT_EQ(crossings(floor, {{0, 1e9, 0}, {1, -1e-310, 0}, {}}).count, 0); // beyond all numbers
+    const auto far = crossings(floor, {{0, 3, 0}, {1, -1e-200, 0}, {}});
+    ASSERT_EQ(far.count, 1);
+    EXPECT_EQ(far.list[0].t, 2e200);
+}
+
+TEST(Plane, NormalsOfAnyLength) {
+    for (const double size : {5e-324, 1e-300, 1e-5, 1.0, 1e5, 1e300, 1.7e308}) {
+        const trace::Plane plane(yarte::Plane{{0, 0, -size}, 2});
+        EXPECT_EQ(plane.normal, (Vec3{0, 0, -1})) << size;
+    }
+    EXPECT_NEAR(length(trace::Plane(yarte::Plane{{1e308, 1e308, -1e308}, 0}).normal), 1, 1e-15);
 }
 
 TEST(Box, ClosedForm) {

@@ -66,6 +66,12 @@ double sizeOf(const Scene& scene, const Shape& shape) {
         double operator()(const Mesh& m) const {
             return m.scale * reach(scene.meshes[m.mesh.index].vertices);
         }
+        double operator()(const Cylinder& c) const { return std::max(c.radius, c.height / 2); }
+        double operator()(const OpenCylinder& c) const { return std::max(c.radius, c.height / 2); }
+        double operator()(const Frustum& f) const {
+            return std::max({f.baseRadius, f.topRadius, f.height / 2});
+        }
+        double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
         static double reach(const std::vector<Vec3>& points) {
             Vec3 mean;
             for (const Vec3& p : points) mean = mean + p / static_cast<double>(points.size());
@@ -89,6 +95,10 @@ void move(Shape& shape, Vec3 by) {
             for (Vec3& v : p.vertices) v = v + by;
         }
         void operator()(Mesh& m) const { m.translation = m.translation + by; }
+        void operator()(Cylinder& c) const { c.centre = c.centre + by; }
+        void operator()(OpenCylinder& c) const { c.centre = c.centre + by; }
+        void operator()(Frustum& f) const { f.centre = f.centre + by; }
+        void operator()(Plane& p) const { p.distance += dot(by, unitVector(p.normal)); }
     };
     std::visit(Move{by}, shape);
 }
@@ -107,6 +117,10 @@ void resize(Shape& shape, double k) {
             for (Vec3& v : p.vertices) v = mean + (v - mean) * k;
         }
         void operator()(Mesh& m) const { m.scale *= k; }
+        void operator()(Cylinder& c) const { c.radius *= k, c.height *= k; }
+        void operator()(OpenCylinder& c) const { c.radius *= k, c.height *= k; }
+        void operator()(Frustum& f) const { f.baseRadius *= k, f.topRadius *= k, f.height *= k; }
+        void operator()(Plane& p) const { p.distance *= k; }
     };
     std::visit(Resize{k}, shape);
 }

@@ -6,7 +6,7 @@
 #declare Image_Height = 48;
 #declare Display_Gamma = 2.2;
 #declare Max_Recursion = 4; // secondary generations of rays
-#declare World_Scale = 8192; // of all lengths: POV-Ray's tolerances are absolute; a power of two changes no digit
+#declare World_Scale = 2048; // of all lengths: POV-Ray's tolerances are absolute; a power of two changes no digit
 #declare Exposure = 1; // of all light: POV-Ray's files end at 1
 
 global_settings { assumed_gamma 1 max_trace_level Max_Recursion + 1 adc_bailout 0 }
@@ -192,4 +192,38 @@ disc {
 object {
     Yarte_Polygon(array[5] { <-1, -1, -2>, <1, -1, -2>, <1, 1, -2>, <0, 0.1, -2>, <-1, 1, -2> })
     material { Material_2_Back_1 }
+}
+
+// cylinder, line 31
+cylinder {
+    <0, 0, 0>, 1.5*World_Scale*y, 0.5*World_Scale
+    material { Material_2 }
+    translate <1, 2, 3>*World_Scale
+}
+
+// open cylinder, line 32
+cylinder {
+    <0, 0, 0>, 30*World_Scale*y, 0.5*World_Scale
+    open
+    material { Material_2_Back_1 }
+    Yarte_Turn(<1, 0, 0>, <0, 0, 1>, <0, -1, 0>)
+    translate <-1, 2, -9>*World_Scale
+}
+
+// frustum, line 35
+#declare Axes_11 = array[2] { <0.707, 0.707, 0>, <-0.707, 0.707, 0> } // as written; below, the rotation nearest to them
+cone {
+    <0, 0, 0>, 0.5*World_Scale, 1.5*World_Scale*y, 0.25*World_Scale
+    material { Material_2 }
+    Yarte_Turn(<0.7071067811865476, 0.7071067811865476, 0>, <-0.7071067811865476, 0.7071067811865476, 0>, <0, -0, 1>)
+    translate <-1, 2, 3>*World_Scale
+}
+
+// open cylinder, line 37
+cylinder {
+    <0, 0, 0>, 3*World_Scale*y, 5*World_Scale
+    open
+    material { Material_2 }
+    inverse
+    translate <0, 2, 8>*World_Scale
 }
