@@ -178,8 +178,8 @@ void Parser::defaults(Interpreter& in) {
 
 void Parser::addObject(Interpreter& in, ObjectPtr object) {
     // Axes as YARTE's file had them, kept beside the rotation that they stand for. What is seen decides.
-    if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;
     if (object->exactAxes) object = withWrittenAxes(in, *object);
+    if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;
     model_.objects.push_back(std::move(object));
 }
 
@@ -204,6 +204,9 @@ void Parser::statement(Interpreter& in) {
         const Rgbft c = in.colour();
         in.expect('}');
         model_.background = {c.r, c.g, c.b};
+    } else if (word.isWord("default")) { // without a '#', as POV-Ray 1 had it
+        in.expect('{');
+        defaults(in);
     } else if (word.isWord("global_settings")) {
         globalSettings(in);
     } else if (word.isWord("sky_sphere")) {
