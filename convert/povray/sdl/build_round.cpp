@@ -44,7 +44,8 @@ Circle circleOf(const Affine& a, Vec3 normal, Vec3 axis) {
     const Vec3 p = mapDirection(a, u), q = mapDirection(a, v);
     const Similarity similarity = similarityOf(a);
     if (similarity.error <= rounding) return {similarity.scale, 0};
-    const double radius = std::hypot(lengthOf(p), lengthOf(q)) / std::sqrt(2.0);
+    const double lp = lengthOf(p), lq = lengthOf(q);
+    const double radius = lp == lq ? lp : std::hypot(lp, lq) / std::sqrt(2.0);
     const Circle wrong{radius, radius};
     if (axis == Vec3{} || !isFinite(axis) || !(radius > 0) || !std::isfinite(radius)) return wrong;
     const Vec3 along = unit(axis), inPlane = p - along * dot(along, p);
@@ -56,7 +57,8 @@ Circle circleOf(const Affine& a, Vec3 normal, Vec3 axis) {
 /// The mesh only if `error` is too much for the shape.
 template <class MakeShape, class MakeMesh>
 Built shapeOrMesh(double size, double error, Tolerance tolerance, MakeShape makeShape, MakeMesh makeMesh) {
-    if (error <= rounding * size) return makeShape(0.0);
+    // Numbers that overflow are refused with the shape.
+    if (error <= rounding * size || !std::isfinite(size) || !std::isfinite(error)) return makeShape(0.0);
     if (error <= tolerance.of(size)) return makeShape(error);
     return makeMesh();
 }

@@ -65,7 +65,8 @@ private:
             report_.tell("max_trace_level", {"max_trace_level", Action::approximated,
                                              fmt::format("{} becomes {}", model_.maxTraceLevel, levels)});
         scene_.maxRecursion = levels - 1;
-        errors(check(scene_.resolution)), errors(checkGamma(scene_.gamma)), errors(checkBackground(b));
+        errors(check(scene_.resolution)), errors(checkGamma(scene_.gamma)),
+            errors(checkBackground(scene_.background));
     }
 
     void errors(const Problems& problems, const std::string& what = {}) {

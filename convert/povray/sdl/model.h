@@ -141,7 +141,7 @@ struct Object {
 
 struct CameraModel {
     std::string kind = "perspective";
-    Vec3 location, direction{0, 0, 1}, right{4.0 / 3, 0, 0}, up{0, 1, 0}; ///< after look_at, angle, ...
+    Vec3 location, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0}; ///< after look_at, angle, ...
     std::vector<std::string> ignored; ///< "focal_blur", "normal"
     std::optional<Camera> exact;      ///< by Yarte_Camera
     Span span;

@@ -173,7 +173,9 @@ void Parser::globalSettings(Interpreter& in) {
         } else if (in.accept('{')) {
             in.skipBlock();
         } else if (word.kind == TokenKind::word && in.startsExpression()) {
-            if (word.text == "assumed_gamma" || word.text == "adc_bailout")
+            if (word.text == "assumed_gamma") {
+                if (const double gamma = in.number(); gamma > 0) model_.assumedGamma = gamma;
+            } else if (word.text == "adc_bailout")
                 in.number();
             else
                 in.colour();

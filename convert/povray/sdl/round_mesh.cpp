@@ -12,10 +12,16 @@ namespace {
 
 using Index = std::uint32_t;
 
+/// As a part of the radius, within what makes sense, whatever the numbers.
+double relativeError(double radius, double chordError) {
+    const double part = chordError / radius;
+    return part < 1 ? std::max(part, leastRelativeChordError) : 1;
+}
+
 /// Of a whole turn, so that the middle of a chord is at most `chordError` from its circle.
 Index segmentsOf(double radius, double chordError) {
     constexpr double least = 12;
-    const double part = std::clamp(chordError / radius, leastRelativeChordError, 1.0);
+    const double part = relativeError(radius, chordError);
     return static_cast<Index>(std::max(least, std::ceil(std::numbers::pi / std::acos(1 - part))));
 }
 
@@ -63,7 +69,7 @@ private:
 } // namespace
 
 RoundMesh sphereMesh(Vec3 centre, double radius, double chordError) {
-    const Tessellation unitSphere = tessellateSphere(1, chordError / radius);
+    const Tessellation unitSphere = tessellateSphere(1, relativeError(radius, chordError));
     Builder builder;
     for (const Vec3f& p : unitSphere.positions) builder.vertex(centre + widened(p) * radius);
     for (const Vec3f& n : unitSphere.normals) builder.normal(widened(n));

@@ -61,7 +61,8 @@ TEST(SdlMesh, NormalsFollowTheirSide) {
         const Frame axes = resolveReferential(placed.axes);
         for (std::size_t f = 0; f < 4; ++f)
             for (int corner = 0; corner < 3; ++corner) {
-                const auto normal = axes.toWorld(data.normals[data.faceNormals(f)[static_cast<std::size_t>(corner)]]);
+                const auto normal =
+                    axes.toWorld(data.normals[data.faceNormals(f)[static_cast<std::size_t>(corner)]]);
                 const Vec3 at = cornersOf(*built.scene, placed, f)[static_cast<std::size_t>(corner)];
                 const Vec3 original = mapPoint(*inverse(a), at);
                 EXPECT_LE(length(normal - unit(mapNormal(a, original))), 1e-9);
@@ -149,7 +150,8 @@ TEST(SdlTriangles, MillionsPass) {
     auto mesh = std::make_shared<MeshShape>();
     for (std::uint32_t i = 0; i < 500'000; ++i)
         mesh->vertices.push_back({static_cast<double>(i % 1000), static_cast<double>(i / 1000), 0});
-    for (std::uint32_t i = 0; i + 1001 < 500'000; ++i) mesh->faces.push_back({i, i + 1, i + 1000}), mesh->faces.push_back({i + 1, i + 1001, i + 1000});
+    for (std::uint32_t i = 0; i + 1001 < 500'000; ++i)
+        mesh->faces.push_back({i, i + 1, i + 1000}), mesh->faces.push_back({i + 1, i + 1001, i + 1000});
     const BuiltScene built(model({object(mesh)}));
     EXPECT_EQ(built.scene->meshes.at(0).faceCount(), mesh->faces.size());
 }

@@ -26,7 +26,8 @@ bool isInside(const std::vector<Vec3>& v, Vec3 p) {
     bool inside = false;
     for (std::size_t i = 0; i < v.size(); ++i) {
         const Vec3 a = v[i], b = v[(i + 1) % v.size()];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+        if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
+            inside = !inside;
     }
     return inside;
 }
@@ -50,7 +51,8 @@ TEST(SdlPolygon, FrontIsThatOfTheFirstThreeVertices) {
 }
 
 TEST(SdlPolygon, ContoursAreHolesByEvenOdd) {
-    const std::vector<Vec3> hole{{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}}, island{{6, 0, 0}, {7, 0, 0}, {7, 1, 0}};
+    const std::vector<Vec3> hole{{1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}},
+        island{{6, 0, 0}, {7, 0, 0}, {7, 1, 0}};
     const Built built = build(PolygonShape{{square, hole, island}}, {});
     const auto& outline = outlineOf(built);
     EXPECT_TRUE(check(std::get<Shape>(built.what)).empty());

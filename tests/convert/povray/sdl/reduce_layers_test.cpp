@@ -1,5 +1,5 @@
-// Every expected value is a pixel that POV-Ray 3.7.0.10 showed of a wall that fills the picture, before a background
-// of <0.5, 0.25, 0.125>, lit at right angles by <1, 0.9, 0.8>.
+// Every expected value is a pixel that POV-Ray 3.7.0.10 showed of a wall that fills the picture, before a
+// background of <0.5, 0.25, 0.125>, lit at right angles by <1, 0.9, 0.8>.
 #include "convert/povray/sdl/reduce_layers.h"
 
 #include "tests/convert/povray/sdl/support.h"

@@ -17,7 +17,10 @@ namespace {
 
 const Tolerance byDefault;
 
-template <class S> const S& shapeOf(const Built& built) { return std::get<S>(std::get<Shape>(built.what)); }
+template <class S>
+const S& shapeOf(const Built& built) {
+    return std::get<S>(std::get<Shape>(built.what));
+}
 
 void expectNear(Vec3 a, Vec3 b, double tolerance = 1e-9) { EXPECT_LE(length(a - b), tolerance); }
 
@@ -55,8 +58,8 @@ void expectNormalsInFront(const MeshData& data) {
     }
 }
 
-/// Undone, every point of the mesh is within the bound of the true surface, which is `distance` away there; with
-/// 1 / the least stretch a bound in the world becomes one before the map.
+/// Undone, every point of the mesh is within the bound of the true surface, which is `distance` away there;
+/// with 1 / the least stretch a bound in the world becomes one before the map.
 void expectWithinBound(const Built& built, const Affine& a, const std::function<double(Vec3)>& distance) {
     const MeshData& data = std::get<MeshData>(built.what);
     const Affine back = *inverse(a);
@@ -138,7 +141,8 @@ TEST(Round, ConesAndCylindersByTheirRadii) {
     EXPECT_EQ(cone.referential->y, (Vec3{0, -1, 0}));
     EXPECT_EQ(shapeOf<TruncatedCone>(build(ConeShape{{0, 1, 0}, 1, {0, 4, 0}, 2, true}, {}, byDefault)),
               (TruncatedCone{{0, 4, 0}, 2, 6, 3}));
-    for (const ConeShape& degenerate : {ConeShape{{}, 1, {}, 2}, ConeShape{{}, 0, {0, 1, 0}, 0}, ConeShape{{}, 1, {0, 1, 0}, -1}})
+    for (const ConeShape& degenerate :
+         {ConeShape{{}, 1, {}, 2}, ConeShape{{}, 0, {0, 1, 0}, 0}, ConeShape{{}, 1, {0, 1, 0}, -1}})
         EXPECT_FALSE(build(degenerate, {}, byDefault).why.empty());
 }
 
@@ -175,7 +179,8 @@ TEST(Round, BentConesAreMeshesWithinTheirBound) {
         EXPECT_EQ(isClosed(std::get<MeshData>(built.what)), !isOpen);
         if (!isOpen) {
             const double volume = std::numbers::pi * (4 + 2 * top + top * top);
-            EXPECT_NEAR(volumeOf(std::get<MeshData>(built.what)) / std::abs(determinant(a)), volume, volume * 0.01);
+            EXPECT_NEAR(volumeOf(std::get<MeshData>(built.what)) / std::abs(determinant(a)), volume,
+                        volume * 0.01);
         }
     }
 }
@@ -210,7 +215,8 @@ TEST(Round, BoxesKeepRightAnglesOrBecomeMeshes) {
 }
 
 TEST(Round, DiscsFaceTheirNormal) {
-    EXPECT_EQ(shapeOf<Disc>(build(DiscShape{{1, 2, 3}, {0, 7, 0}, 4, 0}, {}, byDefault)), (Disc{{1, 2, 3}, 4}));
+    EXPECT_EQ(shapeOf<Disc>(build(DiscShape{{1, 2, 3}, {0, 7, 0}, 4, 0}, {}, byDefault)),
+              (Disc{{1, 2, 3}, 4}));
     Random random(10);
     for (int i = 0; i < 20; ++i) {
         const DiscShape disc{{1, 2, 3}, random.inCube(1), 4, 0};
@@ -225,12 +231,14 @@ TEST(Round, DiscsFaceTheirNormal) {
             const Built mesh = build(DiscShape{disc.centre, disc.normal, 4, hole}, bent, byDefault);
             const MeshData& data = std::get<MeshData>(mesh.what);
             const Vec3 a0 = data.vertices[data.corners[0]], n = unit(mapNormal(bent, disc.normal));
-            EXPECT_GT(dot(cross(data.vertices[data.corners[1]] - a0, data.vertices[data.corners[2]] - a0), n), 0);
+            EXPECT_GT(dot(cross(data.vertices[data.corners[1]] - a0, data.vertices[data.corners[2]] - a0), n),
+                      0);
             for (const Vec3 p : pointsOn(data)) EXPECT_NEAR(dot(p - a0, n), 0, 1e-9);
         }
     }
     // One that is scaled along its axis alone stays.
-    EXPECT_EQ(shapeOf<Disc>(build(DiscShape{{}, {0, 1, 0}, 4, 0}, scaling({2, 9, 2}), byDefault)), (Disc{{}, 8}));
+    EXPECT_EQ(shapeOf<Disc>(build(DiscShape{{}, {0, 1, 0}, 4, 0}, scaling({2, 9, 2}), byDefault)),
+              (Disc{{}, 8}));
 }
 
 TEST(Round, ToriAreMeshesWithinTheirBound) {
@@ -238,10 +246,12 @@ TEST(Round, ToriAreMeshesWithinTheirBound) {
     for (int i = 0; i < 3; ++i) {
         const Affine a = random.affine();
         const Built built = build(TorusShape{3, 1}, a, byDefault);
-        expectWithinBound(built, a, [](Vec3 p) { return std::abs(std::hypot(std::hypot(p.x, p.z) - 3, p.y) - 1); });
+        expectWithinBound(built, a,
+                          [](Vec3 p) { return std::abs(std::hypot(std::hypot(p.x, p.z) - 3, p.y) - 1); });
         EXPECT_TRUE(isClosed(std::get<MeshData>(built.what)));
         const double volume = 2 * std::numbers::pi * std::numbers::pi * 3;
-        EXPECT_NEAR(volumeOf(std::get<MeshData>(built.what)) / std::abs(determinant(a)), volume, volume * 0.01);
+        EXPECT_NEAR(volumeOf(std::get<MeshData>(built.what)) / std::abs(determinant(a)), volume,
+                    volume * 0.01);
     }
 }
 

@@ -57,7 +57,10 @@ struct BuiltScene {
                 text += row.where + ": " + row.property + ": " + std::string(name(row.action)) + "\n";
         return text;
     }
-    template <class S> const S& shape(std::size_t body = 0) const { return std::get<S>(scene->bodies.at(body).shape); }
+    template <class S>
+    const S& shape(std::size_t body = 0) const {
+        return std::get<S>(scene->bodies.at(body).shape);
+    }
 };
 
 class Random {
