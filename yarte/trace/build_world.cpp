@@ -148,9 +148,10 @@ private:
 
 Tree treeOf(const World& world) {
     if (world.elements.size() < minElementsForTree) return {};
-    std::vector<Bounds> boxes(world.elements.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        boxes[i] = world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); });
+    std::vector<Bounds> boxes;
+    reserveWhole(boxes, world.elements.size());
+    for (std::uint32_t i = 0; i < world.elements.size(); ++i)
+        boxes.push_back(world.visit(ElementId{i}, [](const auto& shape) { return bounds(shape); }));
     Tree tree = buildTree(boxes);
     for (TreeEntry& entry : tree.entries) {
         const auto [kind, row] = world.elements[entry.element.index];
