@@ -117,7 +117,7 @@ TextureMap Parser::textureMap(Interpreter& in) {
         in.expect('[');
         if (in.peek().isWord("function")) // the weight in an average
             in.value();
-        else
+        else if (in.startsExpression())
             in.number();
         in.comma();
         Layers layers{defaultTexture()};

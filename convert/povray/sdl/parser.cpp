@@ -9,6 +9,8 @@
 namespace yarte::convert::povray::sdl {
 namespace {
 
+constexpr double displayGamma = 2.2;
+
 template <typename T> Value shared(T value) { return std::make_shared<const T>(std::move(value)); }
 
 /// Statements of the scene that YARTE has no part for.
@@ -233,6 +235,8 @@ void Parser::statement(Interpreter& in) {
 Model Parser::parse(Interpreter& in) {
     model_ = {};
     while (!in.atEnd()) statement(in);
+    // Colours are those of a display with this exponent; the picture is for one of 2.2.
+    if (!model_.gamma && assumedGamma_) model_.gamma = displayGamma / *assumedGamma_;
     return std::move(model_);
 }
 
