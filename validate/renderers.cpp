@@ -143,12 +143,12 @@ Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
     return pictureOf(workshop, "yarte", yartePictureFile);
 }
 
-Aov renderAov(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
+Layers renderAov(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
     const ProgramResult result =
         workshop.run(yarteCommand(settings, scene, {"-o", aovPictureFile, "--aov", aovFile}));
     demandSuccess("yarte --aov", result, result.errorText);
     try {
-        return aovFrom(readLayers(workshop.file(aovFile)));
+        return readLayers(workshop.file(aovFile));
     } catch (const ImageError& error) {
         throw CaseError(cleanText(error.what()));
     }
