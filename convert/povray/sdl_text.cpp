@@ -14,7 +14,10 @@ std::string sdl(Colour c) { return sdl(Vec3{c.r, c.g, c.b}); }
 
 std::string sdl(const Frame& f) { return fmt::format("{}, {}, {}", sdl(f.x), sdl(f.y), sdl(f.z)); }
 
-std::string sdlGrey(Colour c) { return c.r == c.g && c.g == c.b ? printNumber(c.r) : sdl(c); }
+std::string sdlGrey(Colour c) {
+    const std::string r = printNumber(c.r); // as text: -0 is not 0
+    return r == printNumber(c.g) && r == printNumber(c.b) ? r : sdl(c);
+}
 
 std::string quoted(std::string_view text) {
     std::string result = "\"";

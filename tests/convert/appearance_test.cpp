@@ -27,11 +27,11 @@ TEST(Appearances, AreNamedByMaterialAndByDistinctBack) {
         appearances.declarations(),
         "#declare Material_1 = Yarte_Material(<0.1, 0.1, 0.1>, <0.5, 0.5, 0.5>, <0.2, 0.2, 0.2>, 20, 0, 0, "
         "0)\n"
-        "#declare Material_2 = Yarte_Material(<0.1, 0, 0>, <0, 0.5, 0.5>, <0.2, 0.3, 0.2>, 20, 0.5, 1, 1.5)\n"
         "#declare Material_1_Back_1 = Yarte_Two_Sided(<0.1, 0.1, 0.1>, <0.5, 0.5, 0.5>, <0.2, 0.2, 0.2>, "
         "<0, 0, 0>, <1, 0, 0>, <0, 0, 0>, 20, 0, 0, 0)\n"
         "#declare Material_1_Back_2 = Yarte_Two_Sided(<0.1, 0.1, 0.1>, <0.5, 0.5, 0.5>, <0.2, 0.2, 0.2>, "
         "<0, 0, 0>, <0, 0, 1>, <0, 0, 0>, 20, 0, 0, 0)\n"
+        "#declare Material_2 = Yarte_Material(<0.1, 0, 0>, <0, 0.5, 0.5>, <0.2, 0.3, 0.2>, 20, 0.5, 1, 1.5)\n"
         "#declare Material_2_Back_1 = Yarte_Two_Sided(<0.1, 0, 0>, <0, 0.5, 0.5>, <0.2, 0.3, 0.2>, "
         "<0, 0, 0>, <1, 0, 0>, <0, 0, 0>, 20, 0.5, 1, 1.5)\n");
 }

@@ -11,7 +11,7 @@ TEST(Formats, AreListed) {
                              "pmf     .pmf          read, write\n"
                              "gltf    .gltf         read, write\n"
                              "glb     .glb          read, write\n"
-                             "pov     .pov          write\n");
+                             "pov     .pov          read, write\n");
 }
 
 TEST(Formats, AreFoundByExtensionInAnyCase) {
@@ -25,7 +25,7 @@ TEST(Formats, AreFoundByExtensionInAnyCase) {
 
 TEST(Formats, AreFoundByName) {
     ASSERT_NE(formatNamed("pov"), nullptr);
-    EXPECT_EQ(formatNamed("pov")->read, nullptr);
+    EXPECT_NE(formatNamed("pov")->read, nullptr);
     EXPECT_EQ(formatNamed(".pov"), nullptr);
     EXPECT_EQ(formatNamed(""), nullptr);
 }

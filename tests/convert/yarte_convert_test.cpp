@@ -140,7 +140,8 @@ TEST_F(YarteConvert, SaysWhatIsWrongWithItsUse) {
               "yarte-convert: out.stl: unknown extension; name the format with --to" + help);
     EXPECT_EQ(usage({shapes, "out", "--to", "stl"}),
               "yarte-convert: --to: unknown format 'stl'; see --list-formats" + help);
-    EXPECT_EQ(usage({"a.pov", "b.yarte"}), "yarte-convert: a.pov: format 'pov' can only be written" + help);
+    EXPECT_EQ(usage({"a.pov", "b.yarte", "--size", "640"}),
+              "yarte-convert: --size: expected WxH, like 640x480, got '640'" + help);
     EXPECT_EQ(usage({"-", "b.pov"}), "yarte-convert: --from: needed to say the format of '-'" + help);
     EXPECT_EQ(usage({shapes, "-"}), "yarte-convert: --to: needed to say the format of '-'" + help);
     EXPECT_EQ(usage({shapes, "a.pov", "--canonical"}),

@@ -28,12 +28,13 @@ double quadratic(const Points& p, std::size_t i, std::size_t c, double at) {
     return sum;
 }
 
-/// Hermite's cubic, its slopes those between the neighbours (Catmull and Rom).
+/// Hermite's cubic, its slope at a point the mean of those to the neighbours.
 double cubic(const Points& p, std::size_t i, std::size_t c, double at) {
     const double h = p[i + 1].at - p[i].at, u = (at - p[i].at) / h;
-    const auto slope = [&](std::size_t j) {
-        return (p[j + 1].value.at[c] - p[j - 1].value.at[c]) / (p[j + 1].at - p[j - 1].at);
+    const auto secant = [&](std::size_t j) {
+        return (p[j + 1].value.at[c] - p[j].value.at[c]) / (p[j + 1].at - p[j].at);
     };
+    const auto slope = [&](std::size_t j) { return (secant(j - 1) + secant(j)) / 2; };
     return (1 + 2 * u) * (1 - u) * (1 - u) * p[i].value.at[c] + u * (1 - u) * (1 - u) * h * slope(i) +
            u * u * (3 - 2 * u) * p[i + 1].value.at[c] + u * u * (u - 1) * h * slope(i + 1);
 }

@@ -77,8 +77,8 @@ global_settings { assumed_gamma 1 max_trace_level Max_Recursion + 1 adc_bailout 
 #end
 
 #declare Material_1 = Yarte_Material(<0.1, 0, 0>, <0.6, 0.5, 0.4>, <0.3, 0.2, 0.1>, 12.5, 0.25, 0, 0)
-#declare Material_2 = Yarte_Material(<0.01, 0.02, 0.03>, <0.1, 0.1, 0.1>, <0, 0, 0>, 1, 0.1, 0.7, 1.5)
 #declare Material_1_Back_1 = Yarte_Two_Sided(<0.1, 0, 0>, <0.6, 0.5, 0.4>, <0.3, 0.2, 0.1>, <0.5, 0, 0>, <0, 0.5, 0>, <0, 0, 0.5>, 12.5, 0.25, 0, 0)
+#declare Material_2 = Yarte_Material(<0.01, 0.02, 0.03>, <0.1, 0.1, 0.1>, <0, 0, 0>, 1, 0.1, 0.7, 1.5)
 
 Yarte_Camera(<0.1, 2.3, 9.7>, <0, 0.2, -0.001>, <0, 1, 0>, 30, 24)
 background { rgb <0, 0, 0>*Exposure }

@@ -81,6 +81,13 @@ global_settings { assumed_gamma 1 max_trace_level Max_Recursion + 1 adc_bailout 
     matrix <X.x, X.y, X.z, Y.x, Y.y, Y.z, Z.x, Z.y, Z.z, 0, 0, 0>
 #end
 
+#macro Yarte_Truncated_Cone(Radius, Cone_Height, Height)
+    cone {
+        <0, 0, 0>, Radius*World_Scale, Height*World_Scale*y, Radius*(Cone_Height - Height)/Cone_Height*World_Scale
+        open
+    }
+#end
+
 // The polygon with the vertices of the array P, in its own plane: POV-Ray drops one that is 1e-10 off. The plane passes
 // through the mean with Newell's normal. POV-Ray takes the front from the first three vertices, and a first one that comes
 // back splits the outline: so it starts before the widest left turn whose first vertex is there once.
@@ -173,9 +180,8 @@ cone {
 }
 
 // truncated cone, line 24
-cone {
-    <0, 0, 0>, 0.7*World_Scale, 1.2*World_Scale*y, 0.7*(3 - 1.2)/3*World_Scale
-    open
+object {
+    Yarte_Truncated_Cone(0.7, 3, 1.2)
     material { Material_2 }
     translate <0, 2, 0>*World_Scale
 }

@@ -19,7 +19,7 @@ TEST(SdlCorpus, EveryFileIsReadToItsEnd) {
         for (const auto& entry : fs::directory_iterator(fs::path(YARTE_CORPORA) / folder)) {
             if (entry.path().extension() != ".pov") continue;
             ++count;
-            const Run run(readFile(entry.path()), entry.path());
+            const SdlRun run(readFile(entry.path()), entry.path());
             // Open Babel's own include file is not part of what it wrote.
             if (run.problems().find("babel_povray3.inc") != std::string::npos) continue;
             EXPECT_TRUE(run.model) << entry.path() << '\n' << run.problems();
@@ -37,7 +37,7 @@ TEST(SdlCorpus, ScenesOfDebiansExamplesAreReadToTheirEnd) {
     for (std::string name; list >> name;) {
         Limits limits;
         limits.tokens = 10'000'000; // some run for long
-        const Run run(readFile(examples / name), examples / name, limits);
+        const SdlRun run(readFile(examples / name), examples / name, limits);
         ++count;
         open += run.model.has_value();
         if (!run.model) failed += run.problems();

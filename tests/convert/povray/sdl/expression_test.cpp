@@ -97,7 +97,7 @@ TEST(SdlExpression, HasPovraysValue) {
         "cd '" + folder.string() + "' && povray +Iscene.pov -F -D +W4 +H4 -P > out.txt 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << readFile(folder / "out.txt");
     const std::vector<std::string> theirs = lines(readFile(folder / "out.txt"));
-    const Run run(text);
+    const SdlRun run(text);
     ASSERT_TRUE(run.model) << run.problems();
     const std::vector<std::string> ours = lines(run.printed);
     ASSERT_EQ(theirs.size(), expressions.size());

@@ -54,7 +54,7 @@ TEST(SdlLanguage, LocalNamesEndWithTheirMacro) {
 
 TEST(SdlLanguage, ADeclarationIsNotObeyedBeforeTheOneInFrontOfIt) {
     EXPECT_EQ(printedBy("#declare A = 1 #declare B = A + 1 #declare C = B #debug str(C, 0, 0)"), "2");
-    const Run run("#declare T = texture { pigment { rgb 1 } } #declare U = texture { T } sphere { 0, 1 texture { U } }");
+    const SdlRun run("#declare T = texture { pigment { rgb 1 } } #declare U = texture { T } sphere { 0, 1 texture { U } }");
     EXPECT_TRUE(run.model) << run.problems();
 }
 
@@ -69,7 +69,7 @@ TEST(SdlLanguage, ArraysAreValuesOfSeveralDimensions) {
 }
 
 TEST(SdlLanguage, AnIncludedFileIsReadWhereItStands) {
-    const Run run("#include \"colors.inc\" #debug vstr(3, Orange, \" \", 0, 2)");
+    const SdlRun run("#include \"colors.inc\" #debug vstr(3, Orange, \" \", 0, 2)");
     EXPECT_EQ(run.printed, "1.00 0.50 0.00") << run.problems();
 }
 
@@ -82,7 +82,7 @@ TEST(SdlLanguage, FunctionsKeepWhatTheyWereMadeOf) {
 }
 
 TEST(SdlLanguage, VectorsNeedNoCommas) {
-    const Run run("triangle { <0, 2, 0> <0, 0, -1> <1, 0, 0> } cone { <0 0 0> 1 <1 1 1> 2 } sphere { <1 -1 2>, 1 }");
+    const SdlRun run("triangle { <0, 2, 0> <0, 0, -1> <1, 0, 0> } cone { <0 0 0> 1 <1 1 1> 2 } sphere { <1 -1 2>, 1 }");
     ASSERT_TRUE(run.model) << run.problems();
     ASSERT_EQ(run.model->objects.size(), 3u);
     // "1 -1" is a subtraction.
@@ -90,7 +90,7 @@ TEST(SdlLanguage, VectorsNeedNoCommas) {
 }
 
 TEST(SdlLanguage, TransformationsComposeInTheirOrder) {
-    const Run run("#declare S = sphere { x, 1 scale 2 } object { S translate <1, 0, 0> rotate 90*y }");
+    const SdlRun run("#declare S = sphere { x, 1 scale 2 } object { S translate <1, 0, 0> rotate 90*y }");
     ASSERT_TRUE(run.model) << run.problems();
     const Vec3 p = mapPoint(run.model->objects[0]->transform, {1, 0, 0});
     EXPECT_NEAR(p.x, 0, 1e-15);
@@ -98,7 +98,7 @@ TEST(SdlLanguage, TransformationsComposeInTheirOrder) {
 }
 
 TEST(SdlLanguage, WhatHasNoShapeIsLeftOutWithItsName) {
-    const Run run("difference { sphere { 0, 1 } box { -1, 1 translate x } pigment { rgb 1 } } sphere { 0, 1 }");
+    const SdlRun run("difference { sphere { 0, 1 } box { -1, 1 translate x } pigment { rgb 1 } } sphere { 0, 1 }");
     ASSERT_TRUE(run.model) << run.problems();
     EXPECT_EQ(std::get<UnsupportedShape>(run.model->objects[0]->shape).kind, "difference");
 }
@@ -112,7 +112,7 @@ class SdlBad : public testing::TestWithParam<Bad> {};
 TEST_P(SdlBad, IsToldWithItsPlace) {
     Limits limits;
     limits.tokens = 200'000; // a runaway loop ends soon
-    const Run run(GetParam().text, "scene.pov", limits);
+    const SdlRun run(GetParam().text, "scene.pov", limits);
     EXPECT_FALSE(run.model);
     EXPECT_NE(run.problems().find(GetParam().code), std::string::npos) << run.problems();
     EXPECT_NE(run.problems().find(GetParam().message), std::string::npos) << run.problems();
@@ -142,12 +142,12 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"Directive", "#decalre A = 1;", "sdl.directive", "#decalre"},
         Bad{"Mesh", "mesh2 { vertex_vectors { 1, x } face_indices { 1, <0, 0, 1> } }", "sdl.mesh", "index 1 of 1 vertices"},
         Bad{"Character", "sphere { 0, 1 } \\", "sdl.character", "'\\'"}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& tested) { return tested.param.name; });
 
 TEST(SdlBad, ManyOpenParenthesesAreRefused) {
-    const Run run("#declare A = " + std::string(100'000, '(') + "1;");
+    const SdlRun run("#declare A = " + std::string(100'000, '(') + "1;");
     EXPECT_NE(run.problems().find("sdl.too-deep"), std::string::npos);
-    const Run braces([] {
+    const SdlRun braces([] {
         std::string text;
         for (int i = 0; i < 100'000; ++i) text += "union { ";
         return text;
@@ -159,14 +159,14 @@ TEST(SdlBad, AFileThatIncludesItselfIsRefused) {
     const auto folder = std::filesystem::temp_directory_path() / "yarte_sdl_self";
     std::filesystem::create_directories(folder);
     writeFile(folder / "self.inc", "#include \"self.inc\"");
-    const Run run("#include \"self.inc\"", folder / "scene.pov");
+    const SdlRun run("#include \"self.inc\"", folder / "scene.pov");
     EXPECT_NE(run.problems().find("sdl.recursion"), std::string::npos);
     EXPECT_NE(run.problems().find("in self.inc, included here"), std::string::npos);
     std::filesystem::remove_all(folder);
 }
 
 TEST(SdlBad, DivisionByZeroIsInfiniteAndWarns) {
-    const Run run("#debug str(1/0, 0, 2)");
+    const SdlRun run("#debug str(1/0, 0, 2)");
     EXPECT_EQ(run.printed, "inf");
     EXPECT_NE(run.problems().find("sdl.division-by-zero"), std::string::npos);
 }

@@ -10,14 +10,14 @@
 
 namespace yarte::convert::povray::sdl::test {
 
-struct Run {
+struct SdlRun {
     Sources sources;
     Diagnostics diagnostics;
     std::string printed; ///< by #debug
     std::vector<std::string> reported;
     std::optional<Model> model;
 
-    explicit Run(const std::string& text, const std::filesystem::path& file = "scene.pov", const Limits& limits = {}) {
+    explicit SdlRun(const std::string& text, const std::filesystem::path& file = "scene.pov", const Limits& limits = {}) {
         Parser parser;
         Environment environment{.sources = sources, .diagnostics = diagnostics, .readable = {}};
         environment.library = {"/usr/share/povray-3.7/include"};
@@ -37,7 +37,7 @@ struct Run {
 
 /// What #debug prints for "EXPRESSION", a string.
 inline std::string printedBy(const std::string& statements) {
-    const Run run(statements);
+    const SdlRun run(statements);
     return run.printed + run.problems();
 }
 
