@@ -1,6 +1,7 @@
 #include "convert/tessellate_polygon.h"
 
 #include "convert/tessellate_outline.h"
+#include "yarte/base/huge_pages.h"
 
 #include <algorithm>
 #include <bit>
@@ -114,7 +115,10 @@ void addFlatFaces(const MeshData& data, Tessellation& result) {
 void addSmoothFaces(const MeshData& data, Tessellation& result) {
     const bool sameIndices =
         data.vertices.size() == data.normals.size() && data.corners == data.cornerNormals;
+    reserveWhole(result.triangles, data.faceCount());
     if (sameIndices) {
+        reserveWhole(result.positions, data.vertices.size()),
+            reserveWhole(result.normals, data.normals.size());
         for (const Vec3 v : data.vertices) result.positions.push_back(rounded(v));
         for (const Vec3 n : data.normals) result.normals.push_back(unitNormal(n));
     }
@@ -173,6 +177,7 @@ Tessellation tessellateMesh(const MeshData& data) {
         addFlatFaces(data, result);
     }
     std::vector<Vec3f> all;
+    reserveWhole(all, data.vertices.size());
     for (const Vec3 v : data.vertices) all.push_back(rounded(v));
     result.deviation = roundingOf(all, data.vertices);
     if (result.triangles.empty()) result.triangles.push_back({0, 0, 0});

@@ -7,6 +7,7 @@
 #include "validate/text.h"
 #include "yarte/base/file.h"
 #include "yarte/base/image_file.h"
+#include "yarte/base/image_layers.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -66,6 +67,26 @@ void Baseline::store(const std::string& name, const Picture& picture) const {
     writeFile(pictureFile(name), encodeExr(picture.view(), {}));
 }
 
+std::optional<Layers> Baseline::readBodies(const std::string& name) const {
+    if (!fs::exists(bodiesFile(name))) return std::nullopt;
+    try {
+        return readLayers(bodiesFile(name));
+    } catch (const ImageError&) { // a cause that cannot be found is no reason to compare nothing
+        return std::nullopt;
+    }
+}
+
+void Baseline::storeBodies(const std::string& name, const std::optional<Layers>& layers) const {
+    if (!layers) {
+        fs::remove(bodiesFile(name));
+        return;
+    }
+    LayeredImage image{layers->width, layers->height, {}, {{"yarte.scene", layers->scene}}};
+    for (const auto& [channel, values] : layers->channels) image.layers.push_back({channel, values});
+    fs::create_directories(folder_);
+    writeFile(bodiesFile(name), encodeExrLayers(image));
+}
+
 std::vector<std::string> Baseline::update(const std::vector<Scene>& stored) {
     std::map<std::string, fs::path> scenes;
     for (const Scene& scene : scenes_) scenes[scene.name] = scene.file;
@@ -77,6 +98,7 @@ std::vector<std::string> Baseline::update(const std::vector<Scene>& stored) {
     std::erase_if(scenes, [&](const auto& scene) {
         if (fs::exists(folder_ / scene.second)) return false;
         fs::remove(pictureFile(scene.first));
+        fs::remove(bodiesFile(scene.first));
         removed.push_back(scene.first);
         return true;
     });

@@ -1,11 +1,14 @@
 // Baseline: stored pictures of YARTE's that later ones are compared with. A folder with baseline.json, which
-// says which scene each is of, and an .exr a scene: linear, 32 bits, so that not a bit is lost.
+// says which scene each is of, and an .exr a scene: linear, 32 bits, so that not a bit is lost. Beside it,
+// .bodies.exr says which body is seen where: a later scene does not know the bodies that it has lost.
 #pragma once
 
+#include "validate/image_file.h"
 #include "validate/picture.h"
 #include "validate/report.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +25,12 @@ public:
     bool has(const std::string& name) const;
     /// Throws CaseError if there is none or it cannot be read.
     Picture read(const std::string& name) const;
+    /// Which body of the reference's scene is seen where; nothing if that was not kept or cannot be read.
+    std::optional<Layers> readBodies(const std::string& name) const;
     /// Adds or replaces one. Cases of different names may be stored by different threads. Throws FileError.
     void store(const std::string& name, const Picture&) const;
+    /// The same of what readBodies gives; nothing: it is not known.
+    void storeBodies(const std::string& name, const std::optional<Layers>&) const;
 
     struct Scene {
         std::string name;
@@ -35,6 +42,9 @@ public:
 
 private:
     std::filesystem::path pictureFile(const std::string& name) const { return folder_ / (name + ".exr"); }
+    std::filesystem::path bodiesFile(const std::string& name) const {
+        return folder_ / (name + ".bodies.exr");
+    }
 
     std::filesystem::path folder_;
     std::vector<Scene> scenes_; ///< by name; paths relative to the folder

@@ -3,16 +3,26 @@
 #include "validate/case_folder.h"
 #include "validate/case_names.h"
 #include "validate/judging.h"
+#include "validate/removal.h"
 #include "validate/text.h"
 #include "validate/tolerance_json.h"
 #include "yarte/base/file.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace yarte::validate {
 
 namespace {
+
+Aov aovOf(const Layers& layers) {
+    try {
+        return aovFrom(layers);
+    } catch (const ImageError& error) {
+        throw CaseError(cleanText(error.what()));
+    }
+}
 
 /// What the parts of a case work on.
 struct Case {
@@ -20,12 +30,16 @@ struct Case {
     const CaseSettings& settings;
     Side a, b;
     Tolerance tolerance;
-    AovSource makeAov;
+    std::function<Layers()> renderLayers; ///< of a's scene; empty: there is none
+    AovSource makeOlderAov;
     std::optional<FlipMap> flip;
 
     /// Throws CaseError if the pictures cannot be compared.
     void compareSides() {
-        flip = judgeCase(report, {a.name, *a.picture}, {b.name, *b.picture}, tolerance, makeAov);
+        AovSource makeAov;
+        if (renderLayers) makeAov = [this] { return aovOf(renderLayers()); };
+        flip =
+            judgeCase(report, {a.name, *a.picture}, {b.name, *b.picture}, tolerance, makeAov, makeOlderAov);
     }
     void setSize(const Picture& picture) {
         report.width = picture.width;
@@ -70,6 +84,15 @@ void addPovray(Case& c, Workshop& workshop, const std::filesystem::path& origina
     c.compareSides();
 }
 
+/// What the baseline keeps of the scene besides its picture, if it can be made.
+std::optional<Layers> bodiesOf(const Case& c) {
+    try {
+        return bodiesOnly(c.renderLayers());
+    } catch (const CaseError&) {
+        return std::nullopt;
+    }
+}
+
 /// The case's `b` from the baseline, which gets the new picture if that is wanted.
 void addBaseline(Case& c) {
     const Baseline& baseline = *c.settings.baseline;
@@ -79,6 +102,8 @@ void addBaseline(Case& c) {
     BaselineChange change{BaselineChange::Kind::added, {}};
     if (!update || !isNew) {
         c.b.picture = scaled(baseline.read(c.report.name), c.report.exposure);
+        if (const auto bodies = baseline.readBodies(c.report.name))
+            c.makeOlderAov = [bodies] { return aovOf(*bodies); };
         change.kind = BaselineChange::Kind::changed;
         if (!update || haveOneSize(*c.a.picture, *c.b.picture)) {
             c.compareSides();
@@ -88,6 +113,7 @@ void addBaseline(Case& c) {
     }
     if (!update) return;
     if (change.kind != BaselineChange::Kind::unchanged) baseline.store(c.report.name, rendered);
+    baseline.storeBodies(c.report.name, bodiesOf(c)); // lines may have moved, though no pixel has changed
     c.report.baselineChange = change;
     c.report.verdict = Verdict::pass; // what is seen is now what is expected
     c.report.message.clear();
@@ -102,7 +128,7 @@ CaseReport validateScene(const std::string& name, const std::filesystem::path& s
     report.source = cleanText(scene.string());
     CaseFolder folder(report, settings.output);
     Workshop workshop(settings.temporaryFolder, settings.timeLimit, stop);
-    Case c{report, settings, {"yarte's picture", "YARTE", "yarte.png", {}}, {}, {}, {}, {}};
+    Case c{report, settings, {"yarte's picture", "YARTE", "yarte.png", {}}, {}, {}, {}, {}, {}};
     if (settings.baseline != nullptr)
         c.b = {"the reference", "reference", "baseline.png", {}};
     else
@@ -111,7 +137,7 @@ CaseReport validateScene(const std::string& name, const std::filesystem::path& s
     try {
         c.tolerance = sceneTolerance(original, settings.tolerance);
         const std::filesystem::path own = importScene(workshop, settings.render, original);
-        c.makeAov = [&, own] { return renderAov(workshop, settings.render, own); };
+        c.renderLayers = [&, own] { return renderAov(workshop, settings.render, own); };
         c.a.picture = renderWithYarte(workshop, settings.render, own, report.yarte);
         c.setSize(*c.a.picture);
         checkFinite({c.a.name, *c.a.picture});
@@ -139,6 +165,7 @@ CaseReport validateImages(const std::filesystem::path& a, const std::filesystem:
            settings,
            {cleanText(a.string()), cleanText(a.filename().string()), "a.png", {}},
            {cleanText(b.string()), cleanText(b.filename().string()), "b.png", {}},
+           {},
            {},
            {},
            {}};

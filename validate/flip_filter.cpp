@@ -1,14 +1,11 @@
 #include "validate/flip_filter.h"
 
+#include "validate/flip_wide.h"
+
 #include <algorithm>
 #include <cstring>
 
 namespace yarte::validate::flip {
-
-// Compiled for wider vectors too; the program takes what the processor has. The same operations on each element in the
-// same order: the same bits.
-#define YARTE_WIDE __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#define YARTE_INLINE __attribute__((always_inline))
 
 namespace {
 
@@ -16,9 +13,9 @@ using Block = float __attribute__((vector_size(Plane::block * sizeof(float))));
 
 YARTE_INLINE inline void load(Block& block, const float* from) { std::memcpy(&block, from, sizeof block); }
 
-/// Filters one block. `tap(k)` is where the values at offset k begin. Odd and curvature kernels sum differences, so that
-/// constant pictures give exactly 0: FLIP takes the square root of their results and would make rounding errors
-/// visible.
+/// Filters one block. `tap(k)` is where the values at offset k begin. Odd and curvature kernels sum
+/// differences, so that constant pictures give exactly 0: FLIP takes the square root of their results and
+/// would make rounding errors visible.
 template <Kernel::Kind kind, class Tap>
 YARTE_INLINE inline void filterBlock(const std::vector<float>& weights, const Tap& tap, float* out) {
     Block centre, before, after;
@@ -56,9 +53,10 @@ YARTE_INLINE inline void filterRow(const Kernel& kernel, std::size_t length, con
 
 } // namespace
 
-Plane::Plane(int width, int height)
-    : width_(width), height_(height), stride_((static_cast<std::size_t>(width) + block - 1) / block * block),
-      values_(stride_ * static_cast<std::size_t>(height)) {}
+Plane::Plane(int width, int height, int radius)
+    : width_(width), height_(height), kept_(std::min(height, 2 * radius + 1)),
+      stride_((static_cast<std::size_t>(width) + block - 1) / block * block),
+      values_(stride_ * static_cast<std::size_t>(kept_)) {}
 
 PaddedRow::PaddedRow(const Plane& like, std::size_t maxRadius)
     : width_(static_cast<std::size_t>(like.width())), stride_(like.stride()), maxRadius_(maxRadius),
@@ -71,7 +69,8 @@ YARTE_WIDE void PaddedRow::filterColumns(const Plane& plane, int y, const Kernel
         rows.push_back(plane.row(std::clamp(y + k, 0, plane.height() - 1)));
     float* const first = values_.data() + maxRadius_;
     filterRow(
-        kernel, stride_, [&](std::size_t x, int k) YARTE_INLINE { return rows[static_cast<std::size_t>(k + radius)] + x; },
+        kernel, stride_,
+        [&](std::size_t x, int k) YARTE_INLINE { return rows[static_cast<std::size_t>(k + radius)] + x; },
         first);
     std::fill(values_.data(), first, first[0]);
     std::fill(first + width_, values_.data() + values_.size(), first[width_ - 1]);

@@ -20,21 +20,23 @@ struct Kernel {
 };
 
 /// Rows of floats whose lengths are rounded up to whole blocks: the filters work by blocks, and what they
-/// find or leave in the rest of a row means nothing.
+/// find or leave in the rest of a row means nothing. Only as many rows are kept as a filter looks at: those
+/// stay in the cache, where a whole plane's would cost more time than the filters do.
 class Plane {
 public:
     static constexpr int block = 16; ///< floats: enough to keep the registers of any vector unit busy
 
-    Plane(int width, int height);
+    /// For filters up to `radius`: row y takes the place of row y - (2 radius + 1).
+    Plane(int width, int height, int radius);
 
     int width() const { return width_; }
     int height() const { return height_; }
     std::size_t stride() const { return stride_; }
-    float* row(int y) { return &values_[static_cast<std::size_t>(y) * stride_]; }
-    const float* row(int y) const { return &values_[static_cast<std::size_t>(y) * stride_]; }
+    float* row(int y) { return &values_[static_cast<std::size_t>(y % kept_) * stride_]; }
+    const float* row(int y) const { return &values_[static_cast<std::size_t>(y % kept_) * stride_]; }
 
 private:
-    int width_, height_;
+    int width_, height_, kept_;
     std::size_t stride_;
     std::vector<float> values_;
 };

@@ -2,6 +2,7 @@
 
 #include "validate/attribution.h"
 #include "validate/difference.h"
+#include "validate/removal.h"
 #include "validate/text.h"
 #include "validate/verdict.h"
 
@@ -14,10 +15,15 @@ namespace {
 
 /// The scene's own light: an AOV knows nothing of the exposure.
 Explanation explained(const CaseReport& report, const Picture& a, const Picture& b, double threshold,
-                      const std::optional<Aov>& aov) {
+                      const std::optional<Aov>& aov, const std::optional<Aov>& older) {
     const Picture unexposedA = scaled(a, 1 / report.exposure), unexposedB = scaled(b, 1 / report.exposure);
     const Difference difference(unexposedA.view(), unexposedB.view(), threshold / report.exposure);
-    Explanation explanation = aov ? explain(difference, *aov) : explain(difference);
+    std::optional<Explanation> removal;
+    if (aov && older && older->size() == aov->size())
+        removal =
+            explainRemoval(Difference(unexposedB.view(), unexposedA.view(), threshold / report.exposure),
+                           *older, aov->bodies);
+    Explanation explanation = removal ? *removal : aov ? explain(difference, *aov) : explain(difference);
     for (Region& region : explanation.regions) region.maxError *= report.exposure;
     return explanation;
 }
@@ -29,22 +35,30 @@ std::string failureText(const CaseReport& report, const std::string& conditions)
                        found.maxAbs.at.x, found.maxAbs.at.y, found.maxAbs.value, conditions);
 }
 
+/// The AOV, if it can be made. That the pictures differ is not hidden by a cause that cannot be found; the
+/// command of the program says why.
+std::optional<Aov> aovIfPossible(const AovSource& make) {
+    if (!make) return std::nullopt;
+    try {
+        return make();
+    } catch (const CaseError&) {
+        return std::nullopt;
+    } catch (const ImageError&) {
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 FlipMap judgeCase(CaseReport& report, const NamedPicture& a, const NamedPicture& b,
-                  const Tolerance& tolerance, const AovSource& makeAov) {
+                  const Tolerance& tolerance, const AovSource& makeAov, const AovSource& makeOlderAov) {
     Compared compared = compare(a, b, tolerance.threshold);
     const bool differs = compared.numbers.pixelsOver > 0;
     std::optional<Aov> aov;
-    if (makeAov && needsAov(tolerance)) {
+    if (makeAov && needsAov(tolerance))
         aov = makeAov();
-    } else if (makeAov && differs) {
-        try {
-            aov = makeAov();
-        } catch (const CaseError&) {
-            // The pictures differ: that is not hidden by a cause that cannot be found. Its command says why.
-        }
-    }
+    else if (differs)
+        aov = aovIfPossible(makeAov);
     try {
         const Judgement judgement =
             judge(tolerance, {a.picture.view(), b.picture.view(), compared.flip, aov ? &*aov : nullptr});
@@ -56,7 +70,9 @@ FlipMap judgeCase(CaseReport& report, const NamedPicture& a, const NamedPicture&
     } catch (const JudgementError& error) {
         throw CaseError(cleanText(error.what()));
     }
-    if (differs) report.explanation = explained(report, a.picture, b.picture, tolerance.threshold, aov);
+    if (differs)
+        report.explanation = explained(report, a.picture, b.picture, tolerance.threshold, aov,
+                                       aov ? aovIfPossible(makeOlderAov) : std::nullopt);
     return std::move(compared.flip);
 }
 

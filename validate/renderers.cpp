@@ -124,7 +124,10 @@ std::filesystem::path importScene(Workshop& workshop, const RenderSettings& sett
                                   const std::filesystem::path& scene) {
     if (scene.extension() == ".yarte") return scene;
     const std::string convert = found(settings.programs.convert, "yarte-convert", "--convert");
-    const ProgramResult conversion = workshop.run({convert, scene, importedSceneFile});
+    std::vector<std::string> command{convert, scene, importedSceneFile};
+    if (isPovrayScene(scene) && !settings.size.empty()) // it may ask for its picture's size
+        command.insert(command.end(), {"--size", settings.size});
+    const ProgramResult conversion = workshop.run(command);
     demandSuccess("yarte-convert", conversion, conversion.errorText);
     return importedSceneFile; // relative, so that reports of the same scene have the same text
 }
@@ -140,12 +143,12 @@ Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
     return pictureOf(workshop, "yarte", yartePictureFile);
 }
 
-Aov renderAov(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
+Layers renderAov(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
     const ProgramResult result =
         workshop.run(yarteCommand(settings, scene, {"-o", aovPictureFile, "--aov", aovFile}));
     demandSuccess("yarte --aov", result, result.errorText);
     try {
-        return aovFrom(readLayers(workshop.file(aovFile)));
+        return readLayers(workshop.file(aovFile));
     } catch (const ImageError& error) {
         throw CaseError(cleanText(error.what()));
     }

@@ -42,7 +42,7 @@ std::filesystem::path importScene(Workshop&, const RenderSettings&, const std::f
 Picture renderWithYarte(Workshop&, const RenderSettings&, const std::filesystem::path& scene, YarteTimes&);
 
 /// What YARTE knows of the pixels of its picture of `scene`. Throws CaseError.
-Aov renderAov(Workshop&, const RenderSettings&, const std::filesystem::path& scene);
+Layers renderAov(Workshop&, const RenderSettings&, const std::filesystem::path& scene);
 
 /// Writes `scene` for POV-Ray with its light times `exposure`, as povraySceneFile. Throws CaseError.
 void convertForPovray(Workshop&, const RenderSettings&, const std::filesystem::path& scene, double exposure);

@@ -22,6 +22,7 @@ std::vector<Finding> causes(const CaseReport& c) {
     std::vector<Finding> found;
     for (const Region& region : c.explanation.regions) {
         const auto isKnown = [&](const Finding& f) { return f.explanation == region.finding.explanation; };
+        if (region.finding.explanation.empty()) continue; // of pictures without a scene nothing is known
         if (found.size() < most && std::none_of(found.begin(), found.end(), isKnown))
             found.push_back(region.finding);
     }

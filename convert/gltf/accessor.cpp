@@ -1,5 +1,7 @@
 #include "convert/gltf/accessor.h"
 
+#include "yarte/base/huge_pages.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -50,20 +52,23 @@ template <class Element, class Read>
 void readAll(std::string_view bytes, std::size_t count, std::size_t stride, std::vector<Element>& elements,
              Read read) {
     const char* at = bytes.data();
-    for (std::size_t i = 0; i < count; ++i, at += stride) elements[i] = read(at);
+    for (std::size_t i = 0; i < count; ++i, at += stride) elements.push_back(read(at));
 }
 
 /// The elements, each made by `read` from its bytes; nothing after reporting why.
 template <class Element, class Read>
 std::optional<std::vector<Element>> readElements(Content& content, AccessorId id, Read read) {
     const Accessor& accessor = content.document().accessors[id];
-    std::vector<Element> elements(accessor.count);
+    std::vector<Element> elements;
+    reserveWhole(elements, accessor.count);
     if (accessor.view) {
         const auto bytes = content.bytesOf(*accessor.view);
         if (!bytes) return std::nullopt;
         const std::size_t stride = content.document().views[*accessor.view].stride;
         readAll(bytes->substr(accessor.offset), accessor.count, stride ? stride : accessor.elementSize,
                 elements, read);
+    } else {
+        elements.resize(accessor.count);
     }
     if (!accessor.sparse) return elements;
     const Sparse& sparse = *accessor.sparse;
@@ -104,7 +109,7 @@ std::optional<std::vector<double>> readComponents(Content& content, AccessorId i
     });
     if (!elements) return std::nullopt;
     std::vector<double> numbers;
-    numbers.reserve(elements->size() * components);
+    reserveWhole(numbers, elements->size() * components);
     for (const Element& element : *elements)
         numbers.insert(numbers.end(), element.begin(), element.begin() + accessor.components);
     return numbers;

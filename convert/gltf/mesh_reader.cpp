@@ -1,10 +1,12 @@
 #include "convert/gltf/mesh_reader.h"
 
 #include "convert/gltf/asset.h"
+#include "yarte/base/huge_pages.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace yarte::convert::gltf {
 namespace {
@@ -30,18 +32,21 @@ std::optional<std::vector<Piece>> piecesOf(Asset& asset) {
     return pieces;
 }
 
-void append(MeshData& all, const MeshData& mesh, bool smooth) {
-    const auto offset = [](std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
-                           std::size_t first) {
-        std::ranges::transform(from, std::back_inserter(to),
-                               [first](std::uint32_t i) { return i + static_cast<std::uint32_t>(first); });
+/// Each part of `mesh` is released once it is in `all`, so that a large mesh is never there twice.
+void append(MeshData& all, MeshData mesh, bool smooth) {
+    const auto moveIndices = [](std::vector<std::uint32_t>& to, std::vector<std::uint32_t> from,
+                                std::size_t first) {
+        for (const std::uint32_t i : from) to.push_back(i + static_cast<std::uint32_t>(first));
     };
-    offset(all.corners, mesh.corners, all.vertices.size());
-    all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    const auto moveVectors = [](std::vector<Vec3>& to, std::vector<Vec3> from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
     for (std::size_t f = 0; f < mesh.faceCount(); ++f) all.faceStarts.push_back(all.faceStarts.back() + 3);
+    moveIndices(all.corners, std::move(mesh.corners), all.vertices.size());
+    moveVectors(all.vertices, std::move(mesh.vertices));
     if (!smooth) return;
-    offset(all.cornerNormals, mesh.cornerNormals, all.normals.size());
-    all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
+    moveIndices(all.cornerNormals, std::move(mesh.cornerNormals), all.normals.size());
+    moveVectors(all.normals, std::move(mesh.normals));
 }
 
 /// Room for all pieces in `all`; false after reporting that they need too much.
@@ -57,8 +62,9 @@ bool reserve(MeshData& all, const std::vector<Piece>& pieces, Asset& asset, bool
     if (!asset.takeRoom({.vertices = vertices, .corners = corners, .smooth = smooth}, asset.root()))
         return false;
     if (pieces.size() == 1 && pieces[0].places.size() == 1) return true; // taken as it is
-    all.vertices.reserve(vertices), all.corners.reserve(corners), all.faceStarts.reserve(corners / 3 + 1);
-    if (smooth) all.normals.reserve(vertices), all.cornerNormals.reserve(corners);
+    reserveWhole(all.vertices, vertices), reserveWhole(all.corners, corners);
+    reserveWhole(all.faceStarts, corners / 3 + 1);
+    if (smooth) reserveWhole(all.normals, vertices), reserveWhole(all.cornerNormals, corners);
     return true;
 }
 
@@ -77,10 +83,10 @@ std::optional<MeshData> collect(Asset& asset) {
         const bool isPosed = !pose->joints.empty() && !piece.primitive->joints.empty();
         for (const Transform& place : piece.places) {
             const bool isOnly = pieces->size() == 1 && piece.places.size() == 1;
-            MeshData placed = isOnly ? std::move(*mesh) : *mesh;
+            MeshData placed = &place == &piece.places.back() ? std::move(*mesh) : *mesh;
             if (!isPosed) transform(placed, place);
             if (isOnly) return placed;
-            append(all, placed, smooth);
+            append(all, std::move(placed), smooth);
         }
     }
     return all;

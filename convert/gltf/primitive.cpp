@@ -1,6 +1,7 @@
 #include "convert/gltf/primitive.h"
 
 #include "convert/gltf/accessor.h"
+#include "yarte/base/huge_pages.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +21,7 @@ Indices triangleCorners(Mode mode, Indices vertices) {
     }
     Indices corners;
     if (vertices.size() < 3) return corners;
-    corners.reserve(3 * (vertices.size() - 2));
+    reserveWhole(corners, 3 * (vertices.size() - 2));
     for (std::size_t i = 0; i + 2 < vertices.size(); ++i) {
         const std::size_t odd = i % 2;
         if (mode == Mode::triangleStrip)
@@ -135,11 +136,12 @@ std::optional<MeshData> readPrimitive(Content& content, const Primitive& primiti
         std::iota(order.begin(), order.end(), 0U);
     }
     mesh.corners = triangleCorners(primitive.mode, std::move(order));
-    mesh.faceStarts.resize(mesh.corners.size() / 3 + 1);
-    for (std::size_t f = 0; f < mesh.faceStarts.size(); ++f)
-        mesh.faceStarts[f] = static_cast<std::uint32_t>(3 * f);
+    const std::size_t faceCount = mesh.corners.size() / 3;
+    reserveWhole(mesh.faceStarts, faceCount + 1);
+    for (std::size_t f = 1; f <= faceCount; ++f) mesh.faceStarts.push_back(static_cast<std::uint32_t>(3 * f));
     if (mesh.normals.empty()) return mesh;
     replaceZeroNormals(mesh);
+    reserveWhole(mesh.cornerNormals, mesh.corners.size());
     mesh.cornerNormals = mesh.corners;
     return mesh;
 }

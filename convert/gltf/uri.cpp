@@ -1,34 +1,27 @@
 #include "convert/gltf/uri.h"
 
 #include "convert/gltf/percent.h"
+#include "yarte/base/base64.h"
 #include "yarte/base/text.h"
 
 #include <fmt/format.h>
 
-// tinygltf brings the decoder of base64.
-#include <tiny_gltf.h>
-
-#include <limits>
 #include <optional>
-#include <vector>
+#include <utility>
 
 namespace yarte::convert::gltf {
 namespace {
 
 Resource refuse(std::string problem) { return {{}, std::move(problem)}; }
 
-/// tinygltf takes some media types only, and what we do with the bytes does not depend on them.
+/// What we do with the bytes does not depend on their media type.
 Resource readData(std::string_view uri) {
     const std::size_t comma = uri.find(',');
     if (comma == uri.npos || !uri.substr(0, comma).ends_with(";base64"))
         return refuse("only base64 data can be read");
-    if (uri.size() > std::numeric_limits<int>::max()) return refuse("the data are longer than 2 GiB");
-    const std::string known = "data:application/octet-stream;base64," + std::string(uri.substr(comma + 1));
-    std::vector<unsigned char> bytes;
-    std::string mediaType;
-    if (!tinygltf::DecodeDataURI(&bytes, mediaType, known, 0, false))
-        return refuse("the data are not base64");
-    return {{bytes.begin(), bytes.end()}, {}};
+    auto bytes = base64Decoded(uri.substr(comma + 1));
+    if (!bytes) return refuse("the data are not base64");
+    return {std::move(*bytes), {}};
 }
 
 bool hasScheme(std::string_view uri) {

@@ -1,5 +1,6 @@
 #include "convert/gltf/write.h"
 
+#include "convert/closed_mesh.h"
 #include "convert/gltf/exact_store.h"
 #include "convert/gltf/write_report.h"
 #include "convert/gltf/write_view.h"
@@ -7,19 +8,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace yarte::convert::gltf {
 namespace {
 
-/// By material: the diameter of its largest body; 0, as of thin walls, if one of its bodies is open.
+/// By material: the diameter of its largest body; 0, as of thin walls, if one of its bodies is open. Only for
+/// materials that transmit: no other asks, and whether a large mesh is closed takes long to see.
 std::vector<double> thicknesses(const Scene& scene, const std::vector<ShownBody>& bodies) {
     std::vector<double> result(scene.materials.size());
     for (const auto& [body, shape, geometry] : bodies) {
         double& thickness = result[body.material.index];
-        thickness = std::max(thickness, 2 * shape.scale * geometry.print.reach());
+        if (scene.materials[body.material.index].transmission > 0)
+            thickness = std::max(thickness, 2 * shape.scale * geometry.print.reach());
     }
-    for (const auto& [body, shape, geometry] : bodies)
-        if (!geometry.isClosed) result[body.material.index] = 0;
+    std::map<const Geometry*, bool> closed;
+    for (const auto& [body, shape, geometry] : bodies) {
+        double& thickness = result[body.material.index];
+        if (thickness == 0) continue;
+        const auto [entry, isNew] = closed.try_emplace(
+            &geometry, shape.implicit.isObject() && !std::holds_alternative<Plane>(body.shape));
+        if (const auto* mesh = std::get_if<yarte::Mesh>(&body.shape); mesh && isNew)
+            entry->second = isClosed(scene.meshes[mesh->mesh.index]);
+        if (!entry->second) thickness = 0;
+    }
     return result;
 }
 

@@ -1,6 +1,5 @@
 #include "convert/gltf/write_geometry.h"
 
-#include "convert/closed_mesh.h"
 #include "convert/tessellate_polygon.h"
 
 #include <algorithm>
@@ -15,12 +14,8 @@ const Geometry& Geometries::of(const Body& body, const ShownShape& shape) {
 Geometry Geometries::make(const Body& body, const ShownShape& shape) {
     const Tessellation t = tessellate(body, shape, scene_, chordError_);
     Geometry result;
-    result.isClosed = shape.implicit.isObject() && !std::holds_alternative<Plane>(body.shape);
-    if (const auto* mesh = std::get_if<yarte::Mesh>(&body.shape)) {
-        const MeshData& data = scene_.meshes[mesh->mesh.index];
-        result.isClosed = convert::isClosed(data);
-        result.isSaid = isSaidBy(t, data);
-    }
+    if (const auto* mesh = std::get_if<yarte::Mesh>(&body.shape))
+        result.isSaid = isSaidBy(t, scene_.meshes[mesh->mesh.index]);
     for (const auto& [a, b, c] : t.triangles)
         result.print.add(t.positions[a], t.positions[b], t.positions[c]);
     result.triangles = t.triangles.size();

@@ -11,7 +11,6 @@ struct Geometry {
     std::size_t triangles = 0;
     double deviation = 0;                ///< as Tessellation's
     Vec3 low, high;                      ///< its box, around the shape's middle
-    bool isClosed = false;               ///< the shape has an inside
     bool isSaid = false;                 ///< of a mesh: the triangles alone tell it to the last bit
     Json primitive;                      ///< attributes and indices, without material
     std::optional<std::size_t> implicit; ///< index into the shapes of KHR_implicit_shapes

@@ -2,6 +2,7 @@
 
 #include "convert/gltf/percent.h"
 #include "yarte/base/base64.h"
+#include "yarte/base/huge_pages.h"
 #include "yarte/base/json.h"
 #include "yarte/version.h"
 
@@ -26,11 +27,15 @@ void appendNumber(std::string& bytes, std::uint32_t number) {
     bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
 }
 
-void appendChunk(std::string& bytes, std::uint32_t type, std::string content, char padding) {
-    content.resize((content.size() + 3) / 4 * 4, padding);
-    appendNumber(bytes, static_cast<std::uint32_t>(content.size()));
+constexpr std::size_t headerSize = 12, chunkHeaderSize = 8;
+
+constexpr std::size_t paddedSize(std::size_t size) { return (size + 3) / 4 * 4; }
+
+void appendChunk(std::string& bytes, std::uint32_t type, std::string_view content, char padding) {
+    appendNumber(bytes, static_cast<std::uint32_t>(paddedSize(content.size())));
     appendNumber(bytes, type);
     bytes += content;
+    bytes.append(paddedSize(content.size()) - content.size(), padding);
 }
 
 /// One element on a line.
@@ -133,16 +138,19 @@ std::vector<OutputFile> Output::asGltf(const std::filesystem::path& file) const 
 }
 
 std::vector<OutputFile> Output::asGlb(const std::filesystem::path& file) const {
-    std::string chunks;
-    appendChunk(chunks, chunkJson, jsonText({}), ' ');
-    if (!binary_.empty()) appendChunk(chunks, chunkBinary, binary_, '\0');
-    constexpr std::size_t headerSize = 12, most = std::numeric_limits<std::uint32_t>::max();
-    if (headerSize + chunks.size() > most) return {};
-    std::string bytes;
+    const std::string text = jsonText({});
+    std::size_t size = headerSize + chunkHeaderSize + paddedSize(text.size());
+    if (!binary_.empty()) size += chunkHeaderSize + paddedSize(binary_.size());
+    if (size > std::numeric_limits<std::uint32_t>::max()) return {};
+    std::vector<OutputFile> files{{file, {}}};
+    std::string& bytes = files[0].bytes;
+    reserveWhole(bytes, size);
     appendNumber(bytes, glbMagic);
     appendNumber(bytes, glbVersion);
-    appendNumber(bytes, static_cast<std::uint32_t>(headerSize + chunks.size()));
-    return {{file, bytes + chunks}};
+    appendNumber(bytes, static_cast<std::uint32_t>(size));
+    appendChunk(bytes, chunkJson, text, ' ');
+    if (!binary_.empty()) appendChunk(bytes, chunkBinary, binary_, '\0');
+    return files;
 }
 
 } // namespace yarte::convert::gltf

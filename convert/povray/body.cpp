@@ -76,9 +76,7 @@ struct Writer {
 
     std::string operator()(const TruncatedCone& c) const {
         return object("truncated cone",
-                      fmt::format("cone {{\n    <0, 0, 0>, {0}*World_Scale, {2}*World_Scale*y, "
-                                  "{0}*({1} - {2})/{1}*World_Scale\n    open\n",
-                                  printNumber(c.radius), printNumber(c.coneHeight), printNumber(c.height)),
+                      fmt::format("object {{\n    Yarte_Truncated_Cone({}, {}, {})\n", printNumber(c.radius), printNumber(c.coneHeight), printNumber(c.height)),
                       outsideOfEye() + placement(c.centre));
     }
 

@@ -122,6 +122,13 @@ constexpr Macro geometry[] = {
     matrix <X.x, X.y, X.z, Y.x, Y.y, Y.z, Z.x, Z.y, Z.z, 0, 0, 0>
 #end
 )"},
+    {"Yarte_Truncated_Cone", R"(#macro Yarte_Truncated_Cone(Radius, Cone_Height, Height)
+    cone {
+        <0, 0, 0>, Radius*World_Scale, Height*World_Scale*y, Radius*(Cone_Height - Height)/Cone_Height*World_Scale
+        open
+    }
+#end
+)"},
     {"Yarte_Polygon",
      R"(// The polygon with the vertices of the array P, in its own plane: POV-Ray drops one that is 1e-10 off. The plane passes
 // through the mean with Newell's normal. POV-Ray takes the front from the first three vertices, and a first one that comes

@@ -4,6 +4,7 @@
 Knows the keywords that our schemas use, and refuses a schema with any other: none is silently ignored.
 """
 import json
+import re
 import sys
 
 TYPES = {"object": dict, "array": list, "string": str, "boolean": bool, "null": type(None)}
@@ -16,6 +17,11 @@ def has_type(value, name):
     return isinstance(value, TYPES[name])
 
 
+def same(value, other):
+    """JSON's equality: true is not 1."""
+    return value == other and isinstance(value, bool) == isinstance(other, bool)
+
+
 def as_list(value):
     return value if isinstance(value, list) else [value]
 
@@ -25,6 +31,10 @@ class Checker:
         self.root = schema
 
     def errors(self, value, schema, place=""):
+        if isinstance(schema, bool):
+            if not schema:
+                yield f"{place}: may not be here"
+            return
         for keyword, rule in schema.items():
             if keyword in ANNOTATIONS:
                 continue
@@ -38,11 +48,11 @@ class Checker:
             yield f"{place}: {value!r} is not of type {rule}"
 
     def check_const(self, value, rule, _, place):
-        if value != rule:
+        if not same(value, rule):
             yield f"{place}: {value!r} is not {rule!r}"
 
     def check_enum(self, value, rule, _, place):
-        if value not in rule:
+        if not any(same(value, option) for option in rule):
             yield f"{place}: {value!r} is none of {rule}"
 
     def check_ref(self, value, rule, _, place):
@@ -54,6 +64,24 @@ class Checker:
     def check_anyOf(self, value, rule, _, place):
         if all(list(self.errors(value, option, place)) for option in rule):
             yield f"{place}: fits none of the alternatives"
+
+    def check_allOf(self, value, rule, _, place):
+        for option in rule:
+            yield from self.errors(value, option, place)
+
+    def check_oneOf(self, value, rule, _, place):
+        count = sum(not list(self.errors(value, option, place)) for option in rule)
+        if count != 1:
+            yield f"{place}: fits {count} of the alternatives"
+
+    def check_propertyNames(self, value, rule, _, place):
+        if isinstance(value, dict):
+            for name in value:
+                yield from self.errors(name, rule, f"{place}/{name}")
+
+    def check_minProperties(self, value, rule, _, place):
+        if isinstance(value, dict) and len(value) < rule:
+            yield f"{place}: fewer than {rule} properties"
 
     def check_properties(self, value, rule, _, place):
         if isinstance(value, dict):
@@ -85,6 +113,15 @@ class Checker:
     def check_minLength(self, value, rule, _, place):
         if isinstance(value, str) and len(value) < rule:
             yield f"{place}: shorter than {rule}"
+
+    def check_pattern(self, value, rule, _, place):
+        # In JSON schemas $ is nothing but the end; Python's also matches before a last line break.
+        if isinstance(value, str) and not re.search(re.sub(r"\$$", r"\\Z", rule), value):
+            yield f"{place}: {value!r} is not of the pattern"
+
+    def check_maximum(self, value, rule, _, place):
+        if has_type(value, "number") and value > rule:
+            yield f"{place}: {value} is above {rule}"
 
     def check_minimum(self, value, rule, _, place):
         if has_type(value, "number") and value < rule:

@@ -161,6 +161,71 @@ TEST_F(CiUse, ABaselineIsMadeComparedWithAndUpdated) {
     EXPECT_EQ(validate({"s0.yarte", "-o", "out", "--update-baseline"}), 2) << "needs --baseline";
 }
 
+TEST_F(CiUse, AReferenceThatWasDeletedIsMadeAgain) {
+    addScenes(2);
+    const std::vector<std::string> update = {"--baseline", "base", "--update-baseline"};
+    EXPECT_EQ(validateScenes(scenes_, update), 0) << output_;
+    std::filesystem::remove(folder_ / "base/s0.exr");
+    EXPECT_EQ(validateScenes(scenes_, {"--baseline", "base"}), 3);
+    EXPECT_THAT(output_,
+                AllOf(HasSubstr("error  s0"), HasSubstr("no reference in base"), HasSubstr("pass   s1")));
+    EXPECT_EQ(validateScenes(scenes_, update), 0) << output_;
+    EXPECT_THAT(output_, HasSubstr("baseline: 1 new (s0), 0 changed, 0 removed, 1 unchanged\n"));
+    EXPECT_EQ(validateScenes(scenes_, {"--baseline", "base"}), 0) << output_;
+}
+
+/// The same with YARTE itself: two spheres on a floor.
+class TrueBaseline : public CiUse {
+protected:
+    static constexpr const char* view = "image_resolution 96 72\ncamera_position 0 3 8\nfocus_point 0 1 0\n"
+                                        "camera_apertures 32 25\nlight_source 5 9 6 1\n"
+                                        "material .1 .1 .1 .6 .6 .6 0 0 0 1 0 0 0\ndisc 0 0 0 9\n"
+                                        "instance_referential 1 0 0 0 0 1 0 -1 0\n";
+    static constexpr const char *left = "sphere -1.5 1 0 1\n", *right = "sphere 1.5 1 0 1\n";
+
+    int validateScene(const std::string& text, const std::vector<std::string>& more = {}) {
+        writeFile(folder_ / "scene.yarte", text);
+        std::vector<std::string> arguments = {
+            "scene.yarte", "-o", "out", "--baseline", "base", "--yarte", YARTE_BIN_DIR "/yarte"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return validate(arguments);
+    }
+};
+
+TEST_F(TrueBaseline, ABodyThatIsGoneIsNamed) {
+    ASSERT_EQ(validateScene(std::string(view) + left + right, {"--update-baseline"}), 0)
+        << output_ << errors_;
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "base/scene.bodies.exr"));
+    EXPECT_EQ(validateScene(std::string(view) + left + right), 0) << output_;
+    EXPECT_EQ(validateScene(std::string(view) + right), 1);
+    EXPECT_THAT(output_, HasSubstr("\n       the sphere at line 9 of the reference's scene is gone\n"));
+    EXPECT_EQ(validateScene(std::string(view) + left), 1);
+    EXPECT_THAT(output_, HasSubstr("\n       the sphere at line 10 of the reference's scene is gone\n"));
+    EXPECT_THAT(report(), HasSubstr("\"subject\": \"sphere at line 10 of the reference's scene\""));
+    // What is still there is not called gone.
+    EXPECT_EQ(validateScene(std::string(view) + left + "sphere 1.5 1.2 0 1\n"), 1);
+    EXPECT_THAT(output_,
+                AllOf(HasSubstr("the sphere at line 10 is missing, moved"), Not(HasSubstr("is gone"))));
+    EXPECT_EQ(validateScene(std::string(view) + left, {"--update-baseline"}), 0) << output_;
+    EXPECT_EQ(validateScene(std::string(view) + left), 0) << output_;
+
+    std::filesystem::remove(folder_ / "scene.yarte");
+    writeFile(folder_ / "other.yarte", view);
+    EXPECT_EQ(validate({"other.yarte", "-o", "out", "--baseline", "base", "--update-baseline", "--yarte",
+                        YARTE_BIN_DIR "/yarte"}),
+              0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "base/scene.bodies.exr"));
+}
+
+TEST_F(TrueBaseline, WithoutItsBodiesAReferenceStillCompares) {
+    ASSERT_EQ(validateScene(std::string(view) + left + right, {"--update-baseline"}), 0) << output_;
+    for (const char* damage : {"no picture", ""}) {
+        writeFile(folder_ / "base/scene.bodies.exr", damage);
+        EXPECT_EQ(validateScene(std::string(view) + left), 1);
+        EXPECT_THAT(output_, AllOf(StartsWith("fail   scene"), Not(HasSubstr("is gone"))));
+    }
+}
+
 TEST_F(CiUse, ABaselineThatIsNone) {
     std::filesystem::create_directory(folder_ / "base");
     for (const char* text : {"{", "{\"references\": [{\"name\": \"../scene\", \"scene\": \"x\"}]}"}) {

@@ -99,6 +99,23 @@ TEST_F(CommandLine, PovrayThatHangs) {
     EXPECT_THAT(output_, StartsWith("error  scene  2x1  povray: stopped after 0.5 s, the time limit\n"));
 }
 
+/// A POV-Ray that first takes so many GiB of address space, which no machine has to have.
+std::string greedyPovray(int gibibytes) {
+    return "#!/bin/sh\n/usr/bin/python3 -c 'import mmap; mmap.mmap(-1, " + std::to_string(gibibytes) +
+           " << 30, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x4000)' || exit 9\n" +
+           with(fakePovray, dimSteps).substr(10);
+}
+
+TEST_F(CommandLine, PovrayThatTakesTooMuchMemory) {
+    if (!std::filesystem::exists("/usr/bin/python3")) GTEST_SKIP() << "skipped: no python3";
+    install("povray", greedyPovray(7));
+    EXPECT_EQ(validateScenes({"scene.yarte"}), 0) << output_;
+    install("povray", greedyPovray(9));
+    EXPECT_EQ(validateScenes({"scene.yarte"}), 3);
+    EXPECT_THAT(output_, StartsWith("error  scene  2x1  povray: exit code 9\n"));
+    EXPECT_THAT(output_, HasSubstr("Cannot allocate memory"));
+}
+
 TEST_F(CommandLine, PovrayThatWritesNothing) {
     install("povray", "#!/bin/sh\n");
     EXPECT_EQ(validateScenes({"scene.yarte"}), 3);
@@ -176,6 +193,8 @@ TEST_F(CommandLine, Images) {
     EXPECT_THAT(report(), HasSubstr("\"encoding\": \"All images were read as linear"));
     EXPECT_TRUE(wrote("images/a-b/difference.png"));
     EXPECT_EQ(validate({"images", "-o", "out", "a.ppm", "c.ppm"}), 1);
+    EXPECT_THAT(output_, StartsWith("fail   a-c  1x1  max 5.00/65535  1 px over\n1 case: "))
+        << "nothing is known of a scene, and no line is spent on it";
     // The slope of sRGB's decoding at 0.25 is 2.4/1.055 (0.305/1.055)^1.4 = 0.400.
     EXPECT_EQ(validate({"images", "a.ppm", "c.ppm", "--srgb", "-o", "out"}), 0);
     EXPECT_THAT(output_, StartsWith("pass   a-c  1x1  max 2.00/65535"));

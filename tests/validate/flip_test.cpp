@@ -1,8 +1,10 @@
 #include "validate/flip.h"
 
 #include "tests/validate/support.h"
+#include "validate/flip_power.h"
 #include "validate/image_file.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 #include <random>
 
@@ -73,6 +75,35 @@ TEST(Flip, IsSymmetricAndInRange) {
     const FlipMap ab = flipMap(a.view(), b.view()), ba = flipMap(b.view(), a.view());
     EXPECT_EQ(ab.values, ba.values);
     EXPECT_THAT(ab.values, testing::Each(testing::AllOf(testing::Ge(0.0f), testing::Le(1.0f))));
+}
+
+TEST(Flip, PowersAreThoseOfTheStandardLibrary) {
+    for (const double exponent : {1e-3, 0.1, 0.5, 0.7, 0.999, 1.0}) {
+        for (double base = 1e-12; base < 1000; base *= 1.0007) {
+            const double expected = std::pow(base, exponent);
+            ASSERT_NEAR(flip::power(base, exponent), expected, 1e-8 * expected) << base << " " << exponent;
+        }
+        for (const double exact : {0.5, 1.0, 2.0, std::sqrt(0.5), std::sqrt(2.0)}) {
+            const double expected = std::pow(exact, exponent);
+            EXPECT_NEAR(flip::power(exact, exponent), expected, 1e-8 * expected);
+        }
+        EXPECT_EQ(flip::power(0, exponent), 0);
+        EXPECT_EQ(flip::power(1, exponent), 1);
+    }
+}
+
+// Taller than the rows that are kept, and shorter.
+TEST(Flip, RowsFarAwayDoNotMatter) {
+    const Picture a = noise(20, 70, 5), b = noise(20, 70, 6);
+    const FlipMap whole = flipMap(a.view(), b.view());
+    const auto strip = [](const Picture& p, int rows) {
+        return Picture{p.width, rows, {p.pixels.begin(), p.pixels.begin() + p.width * rows}};
+    };
+    const Picture stripA = strip(a, 45), stripB = strip(b, 45);
+    const FlipMap part = flipMap(stripA.view(), stripB.view());
+    const auto seen = static_cast<std::ptrdiff_t>(20 * 30);
+    EXPECT_TRUE(std::equal(part.values.begin(), part.values.begin() + seen, whole.values.begin()));
+    EXPECT_NE(part.values.back(), whole.values[part.values.size() - 1]) << "here the edge is seen";
 }
 
 TEST(Flip, SummaryOfAMap) {

@@ -153,7 +153,7 @@ TEST_P(MutationTest, EachIsDetectedAndNearlyAllAreNamed) {
 }
 
 // Seeds that no limit of the attribution was chosen by.
-INSTANTIATE_TEST_SUITE_P(Seeds, MutationTest, testing::Values(501u, 502u, 503u));
+INSTANTIATE_TEST_SUITE_P(Seeds, MutationTest, testing::Values<unsigned>(YARTE_MUTATION_SEEDS));
 
 TEST(EqualPicturesTest, GiveNoFinding) {
     Sources sources;

@@ -99,6 +99,21 @@ TEST_F(Program, MemoryAndCpuLimitsAreSet) {
     EXPECT_EQ(shell("ulimit -v >&2; ulimit -t >&2; ulimit -c >&2").errorText, "524288\n9\n0\n");
 }
 
+TEST_F(Program, TheMemoryLimitEndsWhatTakesTooMuch) {
+    program_.memoryLimit = 512ull << 20;
+    // Address space that is only reserved, so that the machine's own memory decides nothing.
+    const auto reserve = [&](int megabytes) {
+        return shell("/usr/bin/python3 -c 'import mmap; mmap.mmap(-1, " + std::to_string(megabytes) +
+                     " << 20, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS | 0x4000)'");
+    };
+    EXPECT_TRUE(reserve(128).succeeded());
+    const ProgramResult result = reserve(600);
+    EXPECT_FALSE(result.succeeded());
+    EXPECT_THAT(result.errorText, testing::HasSubstr("Cannot allocate memory"));
+    program_.memoryLimit = 0;
+    EXPECT_TRUE(reserve(600).succeeded()) << "without a limit";
+}
+
 TEST_F(Program, AStopSignalEndsItAndIsThrown) {
     try {
         shell("echo $$ > self; kill -INT $PPID; sleep 600");

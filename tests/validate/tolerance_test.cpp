@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace yarte::validate::test {
 namespace {
@@ -99,6 +100,19 @@ TEST(ToleranceTest, EveryMistakeHasItsPlaceAndCode) {
     EXPECT_EQ(problemsOf(R"({"all": [{"rmse": -1, "reason": "r"}, {"max_abs": []}]})"),
               (List{"/all/0/rmse tolerance.limit-negative", "/all/1/max_abs tolerance.limit-not-number"}))
         << "all mistakes in one run";
+}
+
+// The table that check_tolerances.py runs through the published schema.
+TEST(ToleranceTest, ReadsAndRefusesWhatTheSchemaSays) {
+    const auto table =
+        nlohmann::json::parse(readFile(YARTE_SOURCE_DIR "/tests/validate/data/tolerances.json"));
+    ASSERT_GT(table.size(), 50u);
+    for (const auto& entry : table) {
+        const std::string text = entry.at("file").dump();
+        EXPECT_EQ(problemsOf(text).empty(), entry.at("good").get<bool>())
+            << text << "\n"
+            << fmt::format("{}", fmt::join(problemsOf(text), "\n"));
+    }
 }
 
 TEST(ToleranceTest, OnlyTheDefaultNeedsNoReason) {

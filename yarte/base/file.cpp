@@ -1,5 +1,7 @@
 #include "yarte/base/file.h"
 
+#include "yarte/base/huge_pages.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -106,7 +108,12 @@ std::string readFile(const fs::path& file) {
     struct stat status {};
     if (::fstat(in.number(), &status) != 0) fail(file, errno);
     // One byte more than the file has, to see its end; a pipe tells no size and takes more rounds.
-    std::string bytes(static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 1, '\0');
+    const std::size_t expected = static_cast<std::size_t>(std::max<off_t>(status.st_size, 0)) + 1;
+    // Read, not mapped: a mapped file that another program cuts short ends this one (SIGBUS), and huge pages
+    // make reading nearly as fast.
+    std::string bytes;
+    reserveWhole(bytes, expected);
+    bytes.resize(expected);
     std::size_t size = 0;
     for (;;) {
         if (size == bytes.size()) bytes.resize(2 * size + 4096);

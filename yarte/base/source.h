@@ -41,8 +41,11 @@ public:
     std::string_view line(std::size_t line) const;
 
 private:
+    const std::vector<std::size_t>& lineStarts() const;
+
     std::string name_, text_;
-    std::vector<std::size_t> lineStarts_;
+    /// Empty until something asks for a line: binary data, and texts without errors, need none.
+    mutable std::vector<std::size_t> lineStarts_;
 };
 
 /// The texts read in one run; references stay valid.

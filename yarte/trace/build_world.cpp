@@ -1,4 +1,5 @@
 // From a scene to what rays meet.
+#include "yarte/base/huge_pages.h"
 #include "yarte/scene/mesh_placement.h"
 #include "yarte/scene/referential.h"
 #include "yarte/trace/search.h"
@@ -34,6 +35,27 @@ BodyAppearance appearance(const Material& m, const std::optional<BackColours>& b
 class Builder {
 public:
     Builder(const Scene& scene, World& world) : scene_(scene), world_(world) {}
+
+    /// Room for the faces of all bodies: growing step by step would copy a large mesh again and again.
+    void reserveFaces() {
+        std::size_t vertices = 0, normals = 0, faces = 0, corners = 0, smoothCorners = 0;
+        for (const Body& body : scene_.bodies) {
+            if (const auto* polygon = std::get_if<Polygon>(&body.shape)) {
+                vertices += polygon->vertices.size(), corners += polygon->vertices.size(), ++faces;
+            } else if (const auto* mesh = std::get_if<Mesh>(&body.shape)) {
+                const MeshData& data = scene_.meshes[mesh->mesh.index];
+                vertices += data.vertices.size(), normals += data.normals.size(), faces += data.faceCount();
+                corners += data.corners.size();
+                if (data.isSmooth()) smoothCorners = corners; // flat faces before it are passed over
+            }
+        }
+        FaceTable& table = world_.faces;
+        reserveWhole(table.vertices, vertices), reserveWhole(table.normals, normals);
+        reserveWhole(table.corners, corners), reserveWhole(table.cornerNormals, smoothCorners);
+        reserveWhole(table.faces, faces);
+        reserveWhole(world_.elements, scene_.bodies.size() + faces);
+        reserveWhole(world_.elementBody, scene_.bodies.size() + faces);
+    }
 
     void addBody(const Body& body) {
         world_.bodies.push_back(appearance(scene_.materials[body.material.index], body.back));
@@ -140,7 +162,7 @@ private:
 Tree treeOf(const World& world) {
     if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
     std::vector<Bounds> boxes;
-    boxes.reserve(world.elements.size());
+    reserveWhole(boxes, world.elements.size());
     for (std::uint32_t i = 0; i < world.elements.size(); ++i)
         world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
             if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
@@ -226,6 +248,7 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     for (const Light& light : scene.lights)
         if (!isBlack(light.brightness)) world.lights.push_back(light);
     Builder builder(scene, world);
+    builder.reserveFaces();
     for (const Body& body : scene.bodies) builder.addBody(body);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);

@@ -1,5 +1,7 @@
 #include "yarte/trace/tree.h"
 
+#include "yarte/base/huge_pages.h"
+
 #include <embree3/rtcore.h>
 
 #include <limits>
@@ -97,14 +99,15 @@ Tree buildTree(std::span<const Bounds> elements) {
         return {roundDown(low.x), roundDown(low.y), roundDown(low.z), 0,
                 roundUp(high.x),  roundUp(high.y),  roundUp(high.z),  id};
     };
-    std::vector<RTCBuildPrimitive> primitives(elements.size());
+    std::vector<RTCBuildPrimitive> primitives;
+    reserveWhole(primitives, elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i)
-        primitives[i] = boxOf(elements[i], static_cast<unsigned>(i));
+        primitives.push_back(boxOf(elements[i], static_cast<unsigned>(i)));
     const RTCBuildPrimitive root = boxOf(all, 0);
     const RTCBounds whole{root.lower_x, root.lower_y, root.lower_z, 0,
                           root.upper_x, root.upper_y, root.upper_z, 0};
 
-    const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice(nullptr),
+    const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice("hugepages=1"),
                                                                            rtcReleaseDevice);
     if (!device) throw std::runtime_error("cannot start the tree builder");
     const std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()), rtcReleaseBVH);
@@ -125,7 +128,7 @@ Tree buildTree(std::span<const Bounds> elements) {
     if (!built) throw std::bad_alloc();
 
     tree.nodes.resize(1);
-    tree.entries.reserve(elements.size());
+    reserveWhole(tree.entries, elements.size());
     Flattener(tree).write(0, *built, whole);
     return tree;
 }

@@ -167,8 +167,21 @@ private:
                  {"faces", Action::dropped, fmt::format("{} have no area: POV-Ray drops them too", flat)});
     }
 
+    /// Found by trying: POV-Ray calls a smooth_triangle degenerate, and drops it, if its normals are not all on the
+    /// same side of it. In a mesh it does not.
+    static bool hasNormalsOnBothSides(const TriangleShape& t) {
+        if (!t.normals) return false;
+        const Vec3 flat = cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);
+        bool above = false, below = false;
+        for (const Vec3 n : *t.normals) above |= dot(n, flat) > 0, below |= dot(n, flat) < 0;
+        return above && below;
+    }
+
     /// Triangles follow one another by the thousand: those that look alike are one mesh.
     void addShape(const TriangleShape& triangle, const Placed& p) {
+        if (hasNormalsOnBothSides(triangle))
+            return tell(p.object, {"everything", Action::dropped,
+                                   "its normals are not all on one side of it: POV-Ray drops it too"});
         const Look look = lookOf(p);
         const bool isOneMedium = !look.isTransmissive || (p.style.medium && p.style.medium != &p.object);
         const Object* medium = look.isTransmissive ? p.style.medium : nullptr;

@@ -73,6 +73,8 @@ void Interpreter::declare(const Token& directive, bool isLocal) {
     if (name.kind != TokenKind::word) fail("sdl.unexpected", "expected a name to declare", name.span);
     if (isReserved(name.text))
         fail("sdl.reserved", fmt::format("'{}' is a word of the language and cannot be declared", name.text), name.span);
+    // Its value may come from a macro that has not ended when it is known: "Macro()" with a "Value;" in it.
+    const std::size_t depth = symbols_.depth();
     // A local name hides those of callers; #declare changes the innermost there is, and makes global ones.
     SymbolPtr symbol = isLocal ? (symbols_.isLocal(name.text) ? symbols_.find(name.text) : nullptr)
                                : symbols_.find(name.text);
@@ -95,7 +97,7 @@ void Interpreter::declare(const Token& directive, bool isLocal) {
         *element = std::move(made);
         return;
     }
-    if (!symbol) symbol = isLocal ? symbols_.addLocal(name.text) : symbols_.addGlobal(name.text);
+    if (!symbol) symbol = isLocal ? symbols_.addLocal(name.text, depth) : symbols_.addGlobal(name.text);
     symbol->content = std::move(made);
     symbol->span = directive.span;
 }

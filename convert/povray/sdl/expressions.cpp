@@ -57,7 +57,7 @@ bool isComparison(const Token& t) {
 
 double Interpreter::number() {
     const Span where = peek().span;
-    const Vector v = expression();
+    const Vector v = term();
     if (v.size != 1) fail("sdl.not-a-number", fmt::format("expected a number, found {}", kindOf(v)), where);
     return v.at[0];
 }
@@ -71,19 +71,24 @@ int Interpreter::integer() {
 
 Vector Interpreter::expression() {
     const Nested nested(*this);
-    return conditionalExpression();
+    return choice(logical());
 }
 
-double Interpreter::component() {
+Vector Interpreter::term() {
+    const Nested nested(*this);
+    return choice(sum());
+}
+
+bool Interpreter::flag() {
     const Span where = peek().span;
-    const Vector v = sum();
+    const Vector v = expression();
     if (v.size != 1) fail("sdl.not-a-number", fmt::format("expected a number, found {}", kindOf(v)), where);
-    return v.at[0];
+    return isTrue(v.at[0]);
 }
 
 Vec3 Interpreter::vector3() {
     const Span where = peek().span;
-    const Vector v = expression();
+    const Vector v = term();
     if (v.size > 3) fail("sdl.not-a-vector", fmt::format("expected a vector of 3, found {}", kindOf(v)), where);
     return v.promoted(3).vec3();
 }
@@ -103,7 +108,7 @@ Vec3 Interpreter::point() {
 }
 
 std::array<double, 2> Interpreter::vector2() {
-    const Vector v = expression().promoted(2);
+    const Vector v = term().promoted(2);
     return {v.at[0], v.at[1]};
 }
 
@@ -163,8 +168,8 @@ Value& Interpreter::element(const Token& name, Value& value) {
     return *found;
 }
 
-Vector Interpreter::conditionalExpression() {
-    const Vector condition = logical();
+/// "? yes : no" after `condition`, if it comes.
+Vector Interpreter::choice(const Vector& condition) {
     if (!peekTail().is('?')) return condition;
     const Token mark = next();
     if (condition.size != 1) fail("sdl.not-a-number", "the condition of '?' is not a number", mark.span);
@@ -277,7 +282,7 @@ Vector Interpreter::angled() {
     Vector v{0, {}};
     while (!peek().is('>')) {
         if (v.size == 5) fail("sdl.not-a-vector", "a vector has at most 5 components", open.span);
-        v.at[static_cast<std::size_t>(v.size++)] = component();
+        v.at[static_cast<std::size_t>(v.size++)] = number();
         comma();
     }
     expect('>');
@@ -360,7 +365,7 @@ Vector Interpreter::colourWords() {
         if (token.kind != TokenKind::word || token.symbol) return colour;
         if (const int part = channel(token.text); part >= 0) {
             next();
-            colour.at[static_cast<std::size_t>(part)] = component();
+            colour.at[static_cast<std::size_t>(part)] = number();
             continue;
         }
         if (!isColourWord(token.text) || token.text == "color" || token.text == "colour") return colour;
@@ -383,15 +388,15 @@ Rgbft Interpreter::colour() {
     const Token& token = peek();
     if (token.kind == TokenKind::word && !token.symbol && isColourWord(token.text)) {
         // Through the expressions: rgb <1, 1, 1> is followed by operators, too.
-        return expression().promoted(5).rgbft();
+        return term().promoted(5).rgbft();
     }
-    Vector colour = expression().promoted(5);
+    Vector colour = term().promoted(5);
     for (;;) { // "Red filter 0.5"
         const Token& part = peekTail();
         const int index = part.kind == TokenKind::word && !part.symbol ? channel(part.text) : -1;
         if (index < 0) return colour.rgbft();
         next();
-        colour.at[static_cast<std::size_t>(index)] = component();
+        colour.at[static_cast<std::size_t>(index)] = number();
     }
 }
 

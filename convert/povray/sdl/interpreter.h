@@ -83,13 +83,14 @@ public:
     Vec3 point();
 
     // Expressions
+    /// A number, vector or colour. Comparisons are part of it; in all those below they need parentheses, as in
+    /// POV-Ray: "<0, 2, 0> <0, 0, -1>" are two vectors.
+    Vector expression();
+    Vector term();
+    bool flag(); ///< an expression
     double number();
     int integer();
-    bool flag() { return isTrue(number()); }
-    Vector expression(); ///< a number, vector or colour
-    /// As a part of an angle-bracketed vector or a list: '<' and '>' are not comparisons.
-    double component();
-    Vec3 vector3(); ///< an expression promoted
+    Vec3 vector3(); ///< promoted
     std::array<double, 2> vector2();
     Rgbft colour(); ///< with or without the word colour, rgb, red, ...
     std::string string();
@@ -206,7 +207,7 @@ private:
     Token rawWord(std::string_view what);
 
     // expressions.cpp
-    Vector conditionalExpression();
+    Vector choice(const Vector& condition);
     Vector logical();
     Vector comparison();
     Vector sum();

@@ -43,7 +43,7 @@ std::optional<Affine> acceptTransformation(Interpreter& in) {
         in.expect('<');
         double m[12];
         for (double& v : m) {
-            v = in.component();
+            v = in.number();
             in.comma();
         }
         in.expect('>');

@@ -115,7 +115,10 @@ TextureMap Parser::textureMap(Interpreter& in) {
             continue;
         }
         in.expect('[');
-        in.number();
+        if (in.peek().isWord("function")) // the weight in an average
+            in.value();
+        else if (in.startsExpression())
+            in.number();
         in.comma();
         Layers layers{defaultTexture()};
         bool isTexture = false;

@@ -59,7 +59,7 @@ CameraModel Parser::camera(Interpreter& in, Span span) {
         } else if (word.text == "angle") {
             const Span where = in.peek().span;
             angle = in.number();
-            if (!(*angle > 0 && *angle < 360)) in.fail("sdl.angle", "the angle must be between 0 and 360", where);
+            if (!(*angle > 0 && *angle <= 360)) in.fail("sdl.angle", "the angle must be between 0 and 360", where);
             if (in.accept(',')) in.number();
         } else if (word.text == "aperture" || word.text == "normal") {
             camera.ignored.emplace_back(word.text);

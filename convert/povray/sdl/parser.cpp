@@ -9,6 +9,8 @@
 namespace yarte::convert::povray::sdl {
 namespace {
 
+constexpr double displayGamma = 2.2;
+
 template <typename T> Value shared(T value) { return std::make_shared<const T>(std::move(value)); }
 
 /// Statements of the scene that YARTE has no part for.
@@ -178,8 +180,8 @@ void Parser::defaults(Interpreter& in) {
 
 void Parser::addObject(Interpreter& in, ObjectPtr object) {
     // Axes as YARTE's file had them, kept beside the rotation that they stand for. What is seen decides.
-    if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;
     if (object->exactAxes) object = withWrittenAxes(in, *object);
+    if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;
     model_.objects.push_back(std::move(object));
 }
 
@@ -204,6 +206,9 @@ void Parser::statement(Interpreter& in) {
         const Rgbft c = in.colour();
         in.expect('}');
         model_.background = {c.r, c.g, c.b};
+    } else if (word.isWord("default")) { // without a '#', as POV-Ray 1 had it
+        in.expect('{');
+        defaults(in);
     } else if (word.isWord("global_settings")) {
         globalSettings(in);
     } else if (word.isWord("sky_sphere")) {
@@ -230,6 +235,8 @@ void Parser::statement(Interpreter& in) {
 Model Parser::parse(Interpreter& in) {
     model_ = {};
     while (!in.atEnd()) statement(in);
+    // Colours are those of a display with this exponent; the picture is for one of 2.2.
+    if (!model_.gamma && assumedGamma_) model_.gamma = displayGamma / *assumedGamma_;
     return std::move(model_);
 }
 

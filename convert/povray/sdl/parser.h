@@ -66,6 +66,7 @@ private:
     Model model_;
     std::size_t objects_ = 0; ///< made so far, in unions and declarations, too
     std::size_t bodies_ = 0;  ///< objects of the scene that are no lights
+    std::optional<double> assumedGamma_;
     bool hasUnit_ = false;    ///< a known macro has been met, with model_.unit
     std::map<const Array*, MeshId> exactMeshes_; ///< by their array of vertices, which lives as long as its name
 };

@@ -36,10 +36,14 @@ SymbolPtr Symbols::addGlobal(std::string_view name) {
     return symbol;
 }
 
-SymbolPtr Symbols::addLocal(std::string_view name) {
-    if (isLocal(name)) return stackOf(name).back().symbol;
+SymbolPtr Symbols::addLocal(std::string_view name, std::size_t depth) {
+    std::vector<Entry>& stack = stackOf(name);
+    auto place = stack.end();
+    while (place != stack.begin() && (place - 1)->depth + 1 > depth) --place;
+    if (place != stack.begin() && (place - 1)->depth + 1 == depth) return (place - 1)->symbol;
     auto symbol = std::make_shared<Symbol>(Symbol{std::string(name), Value{}});
-    bindLocal(name, symbol);
+    stack.insert(place, {depth - 1, symbol});
+    scopes_[depth - 1].emplace_back(name);
     return symbol;
 }
 

@@ -24,7 +24,9 @@ public:
     bool isLocal(std::string_view name) const;
 
     SymbolPtr addGlobal(std::string_view name);
-    SymbolPtr addLocal(std::string_view name);
+    /// In the scope of the given depth, which may be left before the innermost ones.
+    SymbolPtr addLocal(std::string_view name, std::size_t depth);
+    SymbolPtr addLocal(std::string_view name) { return addLocal(name, depth()); }
     /// Another name, in the innermost scope, for a symbol.
     void bindLocal(std::string_view name, SymbolPtr);
     /// Takes the innermost one away; does nothing if there is none.

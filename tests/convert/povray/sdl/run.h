@@ -1,0 +1,44 @@
+// SDL text run in memory: what it prints with #debug, what it describes, what is wrong with it.
+#pragma once
+
+#include "convert/povray/sdl/parser.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace yarte::convert::povray::sdl::test {
+
+struct Run {
+    Sources sources;
+    Diagnostics diagnostics;
+    std::string printed; ///< by #debug
+    std::vector<std::string> reported;
+    std::optional<Model> model;
+
+    explicit Run(const std::string& text, const std::filesystem::path& file = "scene.pov", const Limits& limits = {}) {
+        Parser parser;
+        Environment environment{.sources = sources, .diagnostics = diagnostics, .readable = {}};
+        environment.library = {"/usr/share/povray-3.7/include"};
+        environment.limits = limits;
+        environment.debug = [this](const std::string& s) { printed += s; };
+        environment.report = [this](Span, const std::string& what, const std::string&) { reported.push_back(what); };
+        Interpreter in(environment, parser, sources.add(file.string(), text), file);
+        try {
+            model = parser.parse(in);
+        } catch (const SyntaxError& error) {
+            diagnostics.error(error.code, error.what(), error.span).notes = in.trace();
+        }
+    }
+
+    std::string problems() const { return format(diagnostics, sources, DiagnosticStyle::plain); }
+};
+
+/// What #debug prints for "EXPRESSION", a string.
+inline std::string printedBy(const std::string& statements) {
+    const Run run(statements);
+    return run.printed + run.problems();
+}
+
+} // namespace yarte::convert::povray::sdl::test
