@@ -96,7 +96,8 @@ std::optional<Mesh> Meshes::place(const std::shared_ptr<const MeshShape>& mesh, 
         MeshData data = std::move(extraction).take();
         if (data.faceCount() == 0) return std::nullopt;
         for (Vec3& v : data.vertices) v = mapPoint(a, v);
-        for (Vec3& n : data.normals) n = unitNormal(mapNormal(a, n));
+        // Of unit length before the map and not after it: POV-Ray, too, maps what it has interpolated.
+        for (Vec3& n : data.normals) n = mapNormal(a, n);
         return add(std::move(data));
     }
     Kept& kept = kept_[{mesh.get(), texture, isMirrored}];
