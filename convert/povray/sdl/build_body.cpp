@@ -5,6 +5,7 @@
 #include "convert/povray/sdl/build_polygon.h"
 #include "convert/povray/sdl/in_units.h"
 #include "convert/povray/sdl/round_mesh.h"
+#include "convert/povray/sdl/stretch.h"
 #include "yarte/scene/check.h"
 #include "yarte/scene/mesh_placement.h"
 #include "yarte/scene/planarity.h"
@@ -162,13 +163,17 @@ private:
             if (placed && (!isNew || isGood(check(meshes_[placed->mesh]), p.object)))
                 addBody(inUnits(*placed, model_.unit), {}, p, lookOf({p.object, p.map, style}), &style);
         }
+        if (!mesh->faceNormals.empty() && similarityOf(p.map).error > rounding)
+            tell(p.object,
+                 {"normals", Action::approximated,
+                  "interpolated after the transformation; POV-Ray transforms what it has interpolated"});
         if (flat > 0)
             tell(p.object,
                  {"faces", Action::dropped, fmt::format("{} have no area: POV-Ray drops them too", flat)});
     }
 
-    /// Found by trying: POV-Ray calls a smooth_triangle degenerate, and drops it, if its normals are not all on the
-    /// same side of it. In a mesh it does not.
+    /// Found by trying: POV-Ray calls a smooth_triangle degenerate, and drops it, if its normals are not all
+    /// on the same side of it. In a mesh it does not.
     static bool hasStrayNormals(const TriangleShape& t) {
         if (!t.normals) return false;
         const Vec3 flat = cross(t.corners[1] - t.corners[0], t.corners[2] - t.corners[0]);

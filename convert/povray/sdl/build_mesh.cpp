@@ -96,8 +96,7 @@ std::optional<Mesh> Meshes::place(const std::shared_ptr<const MeshShape>& mesh, 
         MeshData data = std::move(extraction).take();
         if (data.faceCount() == 0) return std::nullopt;
         for (Vec3& v : data.vertices) v = mapPoint(a, v);
-        // Of unit length before the map and not after it: POV-Ray, too, maps what it has interpolated.
-        for (Vec3& n : data.normals) n = mapNormal(a, n);
+        for (Vec3& n : data.normals) n = unitNormal(mapNormal(a, n));
         return add(std::move(data));
     }
     Kept& kept = kept_[{mesh.get(), texture, isMirrored}];
