@@ -1,7 +1,7 @@
 #include "validate/display.h"
 
 #include "validate/metrics.h"
-#include "validate/srgb.h"
+#include "yarte/base/srgb.h"
 
 #include <algorithm>
 #include <cmath>

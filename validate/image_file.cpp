@@ -1,7 +1,7 @@
 #include "validate/image_file.h"
 
 #include "validate/pnm.h"
-#include "validate/srgb.h"
+#include "yarte/base/srgb.h"
 #include "yarte/base/file.h"
 
 #include <OpenImageIO/filesystem.h>

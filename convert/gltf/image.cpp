@@ -1,5 +1,7 @@
 #include "convert/gltf/image.h"
 
+#include "yarte/base/srgb.h"
+
 #include <fmt/format.h>
 
 // tinygltf brings the decoder (stb_image).
@@ -44,10 +46,6 @@ std::optional<Size> jpegSize(std::string_view bytes) {
     return std::nullopt;
 }
 
-double toLinear(double srgb) {
-    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
-}
-
 /// Of RGBA pixels: how often each value occurs in each channel says it all.
 template <class Value>
 ImageAverage average(const Value* values, std::size_t pixels) {
@@ -57,7 +55,7 @@ ImageAverage average(const Value* values, std::size_t pixels) {
         for (std::size_t c = 0; c < 4; ++c) ++counts[values[4 * i + c]][c];
     std::array<double, 4> raw{}, linear{};
     for (std::size_t v = 0; v < kinds; ++v) {
-        const double value = static_cast<double>(v) / (kinds - 1), light = toLinear(value);
+        const double value = static_cast<double>(v) / (kinds - 1), light = linearFromSrgb(value);
         for (std::size_t c = 0; c < 4; ++c) {
             const double part = static_cast<double>(counts[v][c]) / static_cast<double>(pixels);
             raw[c] += part * value, linear[c] += part * light;

@@ -1,7 +1,7 @@
 #include "validate/image_file.h"
 
 #include "tests/validate/support.h"
-#include "validate/srgb.h"
+#include "yarte/base/srgb.h"
 
 #include <cstring>
 #include <gmock/gmock.h>

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace yarte::validate {
+namespace yarte {
 
 inline double srgbFromLinear(double v) {
     return v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055;
@@ -13,4 +13,4 @@ inline double linearFromSrgb(double v) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-} // namespace yarte::validate
+} // namespace yarte
