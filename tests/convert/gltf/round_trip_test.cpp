@@ -1,10 +1,10 @@
 // YARTE -> glTF -> YARTE is the identical canonical text.
 #include "tests/convert/gltf/support.h"
+#include "tests/convert/round_trip.h"
 #include "tests/lang/random_scene.h"
 #include "tests/support/program.h"
 
 #include "yarte/lang/pmf.h"
-#include "yarte/lang/scene_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +12,6 @@ namespace yarte::convert::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The text, and that of every mesh.
-std::string everything(const Scene& scene) {
-    std::string text = printScene(scene);
-    for (const MeshData& mesh : scene.meshes) text += "\n" + mesh.path + "\n" + printPmf(mesh);
-    return text;
-}
 
 void expectSame(const Scene& scene, bool binary, const std::string& what) {
     const std::string file = written(scene, binary);
@@ -29,20 +22,10 @@ void expectSame(const Scene& scene, bool binary, const std::string& what) {
 }
 
 TEST(GltfRoundTrip, EverySceneOfOursIsTheSameText) {
-    int count = 0;
-    for (const auto& folder : fs::directory_iterator(fs::path(YARTE_SOURCE_DIR) / "scenes")) {
-        if (!folder.is_directory()) continue;
-        const std::string name = folder.path().filename();
-        Sources sources;
-        Diagnostics diagnostics;
-        constexpr MeshFormat pmf{".pmf", readPmf};
-        const auto scene = readScene(folder.path() / (name + ".yarte"), {{}, {&pmf, 1}}, sources, diagnostics);
-        ASSERT_TRUE(scene) << name;
-        expectSame(*scene, true, name);
-        expectSame(*scene, false, name);
-        ++count;
-    }
-    EXPECT_GE(count, 13);
+    forEachSceneOfOurs([](const Scene& scene, const std::string& name) {
+        expectSame(scene, true, name);
+        expectSame(scene, false, name);
+    });
 }
 
 class GltfRoundTripOf : public testing::TestWithParam<unsigned> {};

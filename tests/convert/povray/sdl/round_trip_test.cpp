@@ -1,25 +1,15 @@
 // YARTE -> POV-Ray -> YARTE is the identical canonical text, for our scenes and for random ones.
-#include "tests/convert/gltf/support.h"
+#include "tests/convert/support.h"
+#include "tests/convert/round_trip.h"
 #include "tests/lang/random_scene.h"
 
 #include "convert/povray/sdl/read.h"
 #include "convert/povray/write.h"
-#include "yarte/lang/pmf.h"
-#include "yarte/lang/scene_printer.h"
-#include "yarte/lang/scene_reader.h"
 
 #include <gtest/gtest.h>
 
 namespace yarte::convert::test {
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string everything(const Scene& scene) {
-    std::string text = printScene(scene);
-    for (const MeshData& mesh : scene.meshes) text += "\n" + mesh.path + "\n" + printPmf(mesh);
-    return text;
-}
 
 struct Conversions {
     Sources sources;
@@ -46,19 +36,7 @@ void expectSame(const Scene& scene, const std::string& what) {
 }
 
 TEST(SdlRoundTrip, EverySceneOfOursIsTheSameText) {
-    int count = 0;
-    for (const auto& folder : fs::directory_iterator(fs::path(YARTE_SOURCE_DIR) / "scenes")) {
-        if (!folder.is_directory()) continue;
-        const std::string name = folder.path().filename();
-        Sources sources;
-        Diagnostics diagnostics;
-        constexpr MeshFormat pmf{".pmf", readPmf};
-        const auto scene = readScene(folder.path() / (name + ".yarte"), {{}, {&pmf, 1}}, sources, diagnostics);
-        ASSERT_TRUE(scene) << name;
-        expectSame(*scene, name);
-        ++count;
-    }
-    EXPECT_GE(count, 13);
+    forEachSceneOfOurs([](const Scene& scene, const std::string& name) { expectSame(scene, name); });
 }
 
 class SdlRoundTripOf : public testing::TestWithParam<unsigned> {};
