@@ -2,8 +2,7 @@
 
 #include "convert/povray/sdl/build_scene.h"
 #include "convert/povray/sdl/parser.h"
-
-#include <fmt/format.h>
+#include "convert/povray/sdl/report.h"
 
 namespace yarte::convert::povray {
 namespace {
@@ -11,17 +10,11 @@ namespace {
 /// Of Debian's package povray-includes.
 constexpr const char* povrayLibrary = "/usr/share/povray-3.7/include";
 
-std::string place(Span span, const Sources& sources) {
-    if (!span.source.valid()) return "scene";
-    const Source& source = sources[span.source];
-    const auto [line, column] = source.position(span.begin);
-    return fmt::format("{}:{}:{}", source.name(), line, column);
-}
-
 } // namespace
 
 std::optional<Scene> readScene(Conversion& c) {
     const sdl::BuildOptions options{c.options.chordError, c.options.size};
+    sdl::Report report(c.sources); // what a loop makes many times is one row
     sdl::Environment environment{
         .sources = c.sources,
         .diagnostics = c.diagnostics,
@@ -31,7 +24,7 @@ std::optional<Scene> readScene(Conversion& c) {
         .height = c.options.size.height,
     };
     environment.report = [&](Span where, std::string what, std::string detail) {
-        c.ledger.add({place(where, c.sources), std::move(what), Action::dropped, std::move(detail), {}});
+        report.tell(what, where, {"everything", Action::dropped, std::move(detail)});
     };
     sdl::Parser parser;
     std::optional<sdl::Model> model;
@@ -44,6 +37,7 @@ std::optional<Scene> readScene(Conversion& c) {
             return std::nullopt;
         }
     }
+    report.writeTo(c.ledger);
     return sdl::buildScene(*model, options, c.sources, c.diagnostics, c.ledger);
 }
 
