@@ -1,6 +1,8 @@
 // Expressions. From the loosest to the tightest: ? :, & |, comparisons, + -, * /, signs and !.
 
+#include "convert/povray/sdl/arrays.h"
 #include "convert/povray/sdl/builtins.h"
+#include "convert/povray/sdl/colour_words.h"
 #include "convert/povray/sdl/function.h"
 #include "convert/povray/sdl/interpreter.h"
 #include "convert/povray/sdl/spline.h"
@@ -20,23 +22,6 @@ template <typename Operation> Vector combined(Vector a, Vector b, Operation oper
     a = a.promoted(size), b = b.promoted(size);
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) a.at[i] = operation(a.at[i], b.at[i]);
     return a;
-}
-
-double fromSrgb(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
-
-/// A colour part's index, -1 if the word is none.
-int channel(std::string_view word) {
-    if (word == "red") return 0;
-    if (word == "green") return 1;
-    if (word == "blue") return 2;
-    if (word == "filter" || word == "alpha") return 3;
-    if (word == "transmit") return 4;
-    return -1;
-}
-
-bool isColourWord(std::string_view w) {
-    return w == "rgb" || w == "rgbf" || w == "rgbt" || w == "rgbft" || w == "srgb" || w == "srgbf" || w == "srgbt" ||
-           w == "srgbft" || w == "color" || w == "colour" || channel(w) >= 0;
 }
 
 bool compare(const Token& op, double order) {
@@ -107,11 +92,6 @@ Vec3 Interpreter::point() {
     return vector3();
 }
 
-std::array<double, 2> Interpreter::vector2() {
-    const Vector v = term().promoted(2);
-    return {v.at[0], v.at[1]};
-}
-
 bool Interpreter::startsString() {
     const Token& token = peek();
     if (token.kind == TokenKind::string) return true;
@@ -129,43 +109,6 @@ std::string Interpreter::string() {
     if (auto named = acceptNamed<std::string>()) return *named;
     const Token name = next();
     return stringFunction(*this, name);
-}
-
-const Value* Interpreter::namedValue() {
-    if (peek().kind != TokenKind::word || !peek().symbol || !peek().symbol->value()) return nullptr;
-    Value* value = &std::get<Value>(peek().symbol->content);
-    if (std::holds_alternative<ArrayPtr>(*value)) {
-        Token name = next();
-        if (peekTail().is('[')) {
-            const SymbolPtr array = name.symbol;
-            Value& found = element(name, std::get<Value>(array->content));
-            name.symbol = std::make_shared<Symbol>(Symbol{std::string(name.text), found});
-        }
-        putBack(std::move(name));
-        value = &std::get<Value>(ahead_.back().symbol->content);
-    }
-    return value;
-}
-
-Value& Interpreter::element(const Token& name, Value& value) {
-    Value* found = &value;
-    while (peekTail().is('[')) {
-        const auto* array = std::get_if<ArrayPtr>(found);
-        if (!array) fail("sdl.not-an-array", fmt::format("'{}' is {}, not an array", name.text, kindOf(*found)), name.span);
-        const ArrayPtr held = *array;
-        std::size_t at = 0;
-        for (std::size_t d = 0; d < held->sizes.size(); ++d) {
-            const Token open = expect('[');
-            const double index = std::trunc(number());
-            expect(']');
-            if (!(index >= 0 && index < held->sizes[d]))
-                fail("sdl.index", fmt::format("index {} of '{}', which has {} elements", index, name.text, held->sizes[d]),
-                     open.span);
-            at = at * static_cast<std::size_t>(held->sizes[d]) + static_cast<std::size_t>(index);
-        }
-        found = &held->elements[at];
-    }
-    return *found;
 }
 
 /// "? yes : no" after `condition`, if it comes.
@@ -352,54 +295,6 @@ Vector Interpreter::ofName(const Token& name) {
          name.span);
 }
 
-Vector Interpreter::colourWords() {
-    const Nested nested(*this);
-    Vector colour{5, {}};
-    if (accept("color") || accept("colour")) {
-        const Token& token = peek();
-        const bool more = token.kind == TokenKind::word && !token.symbol && isColourWord(token.text);
-        if (!more) colour = sum().promoted(5);
-    }
-    for (;;) {
-        const Token& token = peekTail();
-        if (token.kind != TokenKind::word || token.symbol) return colour;
-        if (const int part = channel(token.text); part >= 0) {
-            next();
-            colour.at[static_cast<std::size_t>(part)] = number();
-            continue;
-        }
-        if (!isColourWord(token.text) || token.text == "color" || token.text == "colour") return colour;
-        const Token word = next();
-        std::string_view kind = word.text;
-        const bool isSrgb = kind.front() == 's';
-        if (isSrgb) kind.remove_prefix(1);
-        const int size = kind == "rgb" ? 3 : kind == "rgbft" ? 5 : 4;
-        const Vector v = sum().promoted(size);
-        colour = {5, {v.at[0], v.at[1], v.at[2]}};
-        if (isSrgb)
-            for (std::size_t i = 0; i < 3; ++i) colour.at[i] = fromSrgb(colour.at[i]);
-        if (kind == "rgbf" || kind == "rgbft") colour.at[3] = v.at[3];
-        if (kind == "rgbt") colour.at[4] = v.at[3];
-        if (kind == "rgbft") colour.at[4] = v.at[4];
-    }
-}
-
-Rgbft Interpreter::colour() {
-    const Token& token = peek();
-    if (token.kind == TokenKind::word && !token.symbol && isColourWord(token.text)) {
-        // Through the expressions: rgb <1, 1, 1> is followed by operators, too.
-        return term().promoted(5).rgbft();
-    }
-    Vector colour = term().promoted(5);
-    for (;;) { // "Red filter 0.5"
-        const Token& part = peekTail();
-        const int index = part.kind == TokenKind::word && !part.symbol ? channel(part.text) : -1;
-        if (index < 0) return colour.rgbft();
-        next();
-        colour.at[static_cast<std::size_t>(index)] = number();
-    }
-}
-
 bool Interpreter::startsExpression() {
     const Token& token = peek();
     if (token.kind == TokenKind::number || token.is('<') || token.is('(') || token.is('-') || token.is('+') ||
@@ -411,20 +306,6 @@ bool Interpreter::startsExpression() {
     return value && (std::holds_alternative<Vector>(*value) || std::holds_alternative<Shared<Function>>(*value) ||
                      std::holds_alternative<Shared<Spline>>(*value));
 }
-
-namespace {
-
-/// Arrays are values: a copy does not change with its original.
-Value copied(const Value& value) {
-    const auto* array = std::get_if<ArrayPtr>(&value);
-    if (!array) return value;
-    auto copy = std::make_shared<Array>(Array{(*array)->sizes, {}});
-    copy->elements.reserve((*array)->elements.size());
-    for (const Value& element : (*array)->elements) copy->elements.push_back(copied(element));
-    return copy;
-}
-
-} // namespace
 
 Value Interpreter::value() {
     const Nested nested(*this);
@@ -456,50 +337,6 @@ Value Interpreter::value() {
     const Token& token = peek();
     if (token.kind == TokenKind::word && !token.symbol && isColourWord(token.text)) return Vector::of(colour());
     return expression();
-}
-
-Value Interpreter::arrayLiteral(const Token& word) {
-    auto array = std::make_shared<Array>();
-    accept("mixed");
-    std::size_t count = 1;
-    while (peekTail().is('[')) {
-        next();
-        const double size = std::trunc(number());
-        expect(']');
-        if (!(size >= 1 && size <= static_cast<double>(elementsLeft_)) || array->sizes.size() == 5)
-            fail("sdl.array", fmt::format("an array of {} elements, or of more than 5 dimensions", size), word.span);
-        array->sizes.push_back(static_cast<int>(size));
-        if (count > elementsLeft_ / static_cast<std::size_t>(size))
-            fail("sdl.array", fmt::format("arrays of more than {} elements", environment_.limits.elements), word.span);
-        count *= static_cast<std::size_t>(size);
-    }
-    if (array->sizes.empty()) failExpected("'[' and the array's size");
-    elementsLeft_ -= count;
-    array->elements.resize(count);
-    std::size_t at = 0;
-    if (peekTail().is('{')) fillArray(*array, 0, at);
-    return array;
-}
-
-void Interpreter::fillArray(Array& array, std::size_t dimension, std::size_t& at) {
-    const Nested nested(*this);
-    const Token open = expect('{');
-    std::size_t step = 1; // elements that one item of this dimension fills
-    for (std::size_t d = dimension + 1; d < array.sizes.size(); ++d) step *= static_cast<std::size_t>(array.sizes[d]);
-    const std::size_t first = at, last = at + step * static_cast<std::size_t>(array.sizes[dimension]);
-    std::size_t item = first;
-    for (; !peek().is('}'); item += step) {
-        if (item >= last)
-            fail("sdl.array", fmt::format("more than the {} values that there is room for", array.sizes[dimension]),
-                 peek().span);
-        at = item;
-        if (dimension + 1 < array.sizes.size())
-            fillArray(array, dimension + 1, at);
-        else
-            array.elements[at] = value();
-        comma();
-    }
-    expect('}');
 }
 
 } // namespace yarte::convert::povray::sdl

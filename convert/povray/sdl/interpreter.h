@@ -79,6 +79,8 @@ public:
     bool atEnd() { return peek().kind == TokenKind::end; }
     /// Reads up to the matching '}', the opening one read.
     void skipBlock();
+    /// The block that comes next, its brace included.
+    void skipBraces() { expect('{'), skipBlock(); }
     /// The raw lexer's way for the many vectors of a mesh, where no token has been looked at.
     Vec3 point();
 
@@ -91,7 +93,6 @@ public:
     double number();
     int integer();
     Vec3 vector3(); ///< promoted
-    std::array<double, 2> vector2();
     Rgbft colour(); ///< with or without the word colour, rgb, red, ...
     std::string string();
     /// True if what comes starts an expression of numbers.

@@ -98,7 +98,6 @@ struct MeshShape {
     /// As `faces`: index into `textures`, or `none`; empty: none has one.
     std::vector<std::uint32_t> faceTextures;
     static constexpr std::uint32_t none = 0xffffffff;
-    bool hasInsideVector = false;
 };
 
 struct Object;

@@ -54,8 +54,7 @@ MeshShape Parser::mesh2(Interpreter& in) {
         } else if (in.accept("normal_vectors")) {
             mesh.normals = vectors(in);
         } else if (in.accept("uv_vectors") || in.accept("uv_indices")) {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
         } else if (in.accept("texture_list")) {
             const std::size_t count = listSize(in);
             for (std::size_t i = 0; i < count; ++i) {
@@ -99,7 +98,6 @@ MeshShape Parser::mesh2(Interpreter& in) {
             in.expect('}');
         } else if (in.accept("inside_vector")) {
             in.vector3();
-            mesh.hasInsideVector = true;
         } else {
             break;
         }

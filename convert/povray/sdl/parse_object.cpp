@@ -9,16 +9,6 @@
 namespace yarte::convert::povray::sdl {
 namespace {
 
-/// Shapes that YARTE has none for. Their text is run, for what it declares, and left out.
-bool isUnsupported(std::string_view word) {
-    for (const std::string_view w :
-         {"bicubic_patch", "blob", "cubic", "difference", "height_field", "intersection", "isosurface", "julia_fractal",
-          "lathe", "ovus", "parametric", "poly", "polynomial", "prism", "quadric", "quartic", "sor", "sphere_sweep",
-          "superellipsoid", "text"})
-        if (word == w) return true;
-    return false;
-}
-
 /// Layers put on `layers`: POV-Ray adds them on top.
 void putOn(std::optional<Layers>& layers, Layers&& more) {
     if (!layers) {
@@ -104,15 +94,6 @@ ObjectPtr Parser::object(Interpreter& in) {
 
 ObjectShape Parser::shape(Interpreter& in, const Token& keyword, Object& object) {
     const std::string_view kind = keyword.text;
-    if (isUnsupported(kind)) {
-        while (!in.peek().is('}')) { // what is in it, for the names it declares
-            const Token token = in.next();
-            if (token.kind == TokenKind::end)
-                in.fail("sdl.no-brace", fmt::format("this {} has no closing brace", kind), keyword.span);
-            if (token.is('{')) in.skipBlock();
-        }
-        return UnsupportedShape{std::string(kind)};
-    }
     if (kind == "sphere") {
         SphereShape s{in.point()};
         in.comma();
@@ -172,11 +153,21 @@ ObjectShape Parser::shape(Interpreter& in, const Token& keyword, Object& object)
     if (kind == "mesh") return std::make_shared<const MeshShape>(mesh(in));
     if (kind == "mesh2") return std::make_shared<const MeshShape>(mesh2(in));
     if (kind == "light_source") return light(in, object);
-    UnionShape all{{}, kind == "merge"};
-    parts(in, all);
-    if (all.parts.size() == 1)
-        if (const auto* exact = std::get_if<ExactShape>(&all.parts.front()->shape)) return *exact;
-    return all;
+    if (kind == "union" || kind == "merge") {
+        UnionShape all{{}, kind == "merge"};
+        parts(in, all);
+        if (all.parts.size() == 1)
+            if (const auto* exact = std::get_if<ExactShape>(&all.parts.front()->shape)) return *exact;
+        return all;
+    }
+    // YARTE has no shape for the others. Their text is run, for what it declares, and left out.
+    while (!in.peek().is('}')) { // what is in it, for the names it declares
+        const Token token = in.next();
+        if (token.kind == TokenKind::end)
+            in.fail("sdl.no-brace", fmt::format("this {} has no closing brace", kind), keyword.span);
+        if (token.is('{')) in.skipBlock();
+    }
+    return UnsupportedShape{std::string(kind)};
 }
 
 void Parser::parts(Interpreter& in, UnionShape& all) {
@@ -245,16 +236,13 @@ bool Parser::modifier(Interpreter& in, Object& object) {
         putOn(look.backLayers, texture(in));
     } else if (w == "pigment") {
         in.next();
-        in.expect('{');
         pigment(in, plain().pigment);
     } else if (w == "finish") {
         in.next();
-        in.expect('{');
         finish(in, plain().finish);
     } else if (w == "normal") {
         in.next();
-        in.expect('{');
-        in.skipBlock();
+        in.skipBraces();
         plain().hasNormal = true;
     } else if (w == "interior") {
         in.next();
@@ -274,8 +262,7 @@ bool Parser::modifier(Interpreter& in, Object& object) {
     } else if (w == "clipped_by" || w == "bounded_by" || w == "photons" || w == "radiosity") {
         const bool isClip = in.next().text == "clipped_by";
         if (isClip) object.ignored.emplace_back("clipped_by");
-        in.expect('{');
-        in.skipBlock();
+        in.skipBraces();
     } else if (w == "no_shadow" || w == "no_reflection" || w == "double_illuminate" || w == "no_image" ||
                w == "inverse") {
         const std::string word(in.next().text);

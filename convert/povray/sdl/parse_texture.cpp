@@ -130,10 +130,8 @@ TextureMap Parser::textureMap(Interpreter& in) {
                 layers = **named;
                 isTexture = true;
             } else if (in.accept("pigment")) {
-                in.expect('{');
                 pigment(in, layers.back().pigment);
             } else if (in.accept("finish")) {
-                in.expect('{');
                 finish(in, layers.back().finish);
             } else if (auto p = in.acceptNamed<Shared<Pigment>>()) {
                 layers.back().pigment = **p;
@@ -149,9 +147,9 @@ TextureMap Parser::textureMap(Interpreter& in) {
     return map;
 }
 
-/// The opening brace has been read.
 void Parser::pigment(Interpreter& in, Pigment& pigment) {
     const Interpreter::Nested nested(in);
+    in.expect('{');
     std::string pattern;
     Mean listed;
     while (!in.accept('}')) {
@@ -168,8 +166,7 @@ void Parser::pigment(Interpreter& in, Pigment& pigment) {
             pigment.pattern = pattern;
             if (pattern == "image_map") {
                 pigment.colour = {0.5, 0.5, 0.5};
-                in.expect('{');
-                in.skipBlock();
+                in.skipBraces();
             } else if (pattern == "object") {
                 in.expect('{');
                 while (!in.accept('}')) {
@@ -199,7 +196,6 @@ void Parser::pigment(Interpreter& in, Pigment& pigment) {
         } else if (in.accept("quick_color") || in.accept("quick_colour")) {
             in.colour();
         } else if (in.accept("pigment")) {
-            in.expect('{');
             Pigment part;
             this->pigment(in, part);
             listed.add(part.colour, 1);
@@ -222,6 +218,7 @@ void Parser::pigment(Interpreter& in, Pigment& pigment) {
 
 void Parser::finish(Interpreter& in, Finish& finish) {
     const Interpreter::Nested nested(in);
+    in.expect('{');
     const auto reflection = [&] {
         if (!in.accept('{')) {
             finish.reflectionMin = finish.reflectionMax = rgb(in.colour());
@@ -292,12 +289,10 @@ void Parser::finish(Interpreter& in, Finish& finish) {
         else if (in.accept("crand")) {
             if (in.number() != 0) ignore("crand");
         } else if (in.accept("irid")) {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
             ignore("irid");
         } else if (in.accept("subsurface")) {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
             ignore("subsurface");
         } else
             in.failExpected("a word of finish, such as ambient");
@@ -323,22 +318,18 @@ Layers Parser::texture(Interpreter& in) {
                 standsIn(**named, "textures");
         } else if (acceptTransformation(in)) {
         } else if (in.accept("pigment")) {
-            in.expect('{');
             pigment(in, layers.back().pigment);
         } else if (in.accept("finish")) {
-            in.expect('{');
             finish(in, layers.back().finish);
         } else if (in.accept("normal")) {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
             layers.back().hasNormal = true;
         } else if (in.accept("texture_map")) {
             standsIn(textureMap(in).first, "texture_map");
         } else if (in.accept("texture")) {
             standsIn(texture(in), "textures");
         } else if (in.accept("material_map")) {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
             layers.back().kind = "material_map";
         } else if (isPattern(in.peek())) {
             pattern = in.next().text;

@@ -43,7 +43,7 @@ CameraModel Parser::camera(Interpreter& in, Span span) {
         if (isKind) {
             camera.kind = word.text;
             if (word.text == "cylinder") in.number();
-            if (word.text == "mesh_camera") in.expect('{'), in.skipBlock();
+            if (word.text == "mesh_camera") in.skipBraces();
         } else if (word.text == "location") {
             camera.location = in.vector3();
         } else if (word.text == "direction") {
@@ -136,8 +136,7 @@ LightShape Parser::light(Interpreter& in, Object& object) {
             if (w == "area_light") {
                 in.vector3(), in.comma(), in.vector3(), in.comma(), in.number(), in.comma(), in.number();
             } else if (w == "projected_through") {
-                in.expect('{');
-                in.skipBlock();
+                in.skipBraces();
             } else if (w == "fade_distance" || w == "fade_power") {
                 in.number();
             }
@@ -165,8 +164,7 @@ void Parser::globalSettings(Interpreter& in) {
         } else if (word.text == "max_trace_level") {
             model_.maxTraceLevel = std::clamp(in.integer(), 1, 256);
         } else if (word.text == "radiosity" || word.text == "photons" || word.text == "subsurface") {
-            in.expect('{');
-            in.skipBlock();
+            in.skipBraces();
             in.report(word.span, std::string(word.text), "not in YARTE's model of light");
         } else if (word.text == "charset") {
             in.next();

@@ -43,7 +43,7 @@ private:
     MeshShape mesh(Interpreter&);
     MeshShape mesh2(Interpreter&);
 
-    // parse_texture.cpp
+    // parse_texture.cpp: from the opening brace on
     Layers texture(Interpreter&);
     void pigment(Interpreter&, Pigment&);
     ColourMap colourMap(Interpreter&);
@@ -66,7 +66,6 @@ private:
     Model model_;
     std::size_t objects_ = 0; ///< made so far, in unions and declarations, too
     std::size_t bodies_ = 0;  ///< objects of the scene that are no lights
-    std::optional<double> assumedGamma_;
     bool hasUnit_ = false;    ///< a known macro has been met, with model_.unit
     std::map<const Array*, MeshId> exactMeshes_; ///< by their array of vertices, which lives as long as its name
 };
