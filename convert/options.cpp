@@ -42,7 +42,8 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
                    "In .gltf and .glb: how far triangles may be from curved shapes, in scene units; default: "
                    "a thousandth of the radius")
         ->type_name("E");
-    app.add_option("--size", raw.size, "Size of the picture of a .pov scene, which does not say it; default: 640x480")
+    app.add_option("--size", raw.size,
+                   "Size of the picture of a .pov scene, which does not say it; default: 640x480")
         ->type_name("WxH");
     app.add_option("--allow-path", raw.allowedFolders,
                    "Folder besides the input's own that it may read files from; may be repeated")
@@ -84,7 +85,8 @@ void complete(Options& options, const Raw& raw) {
     if (!raw.size.empty()) {
         const auto sides = parseIntegers<2>(raw.size, 'x');
         if (!sides || !check(Resolution{(*sides)[0], (*sides)[1]}).empty())
-            throw CLI::ValidationError("--size", fmt::format("expected WxH, like 640x480, got '{}'", raw.size));
+            throw CLI::ValidationError("--size",
+                                       fmt::format("expected WxH, like 640x480, got '{}'", raw.size));
         options.writing.size = {(*sides)[0], (*sides)[1]};
     }
     if (raw.input != "-") options.input = raw.input;

@@ -47,12 +47,14 @@ void reportPlain(const std::string& where, const Material& m, const BackColours&
 
 Appearances::Appearances(const Scene& scene) : names_(scene.bodies.size()) {
     std::vector<std::vector<std::size_t>> bodiesOf(scene.materials.size());
-    for (std::size_t i = 0; i < scene.bodies.size(); ++i) bodiesOf[scene.bodies[i].material.index].push_back(i);
+    for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+        bodiesOf[scene.bodies[i].material.index].push_back(i);
     for (std::size_t id = 0; id < scene.materials.size(); ++id) {
         const Material& m = scene.materials[id];
         const std::string name = fmt::format("Material_{}", id + 1);
         declarations_ += fmt::format("#declare {} = Yarte_Material({}, {})\n", name, front(m), numbers(m));
-        // Its two-sided forms follow at once: with their first arguments they tell which material they are of.
+        // Its two-sided forms follow at once: with their first arguments they tell which material they are
+        // of.
         std::vector<const BackColours*> known;
         for (const std::size_t i : bodiesOf[id]) {
             const std::optional<BackColours>& back = scene.bodies[i].back;

@@ -237,7 +237,8 @@ void prepend(std::string& library, std::string_view text, const Macro (&macros)[
 }
 
 /// Calls `use` with every text of the library.
-template <typename Use> void forEachMacro(const Use& use) {
+template <typename Use>
+void forEachMacro(const Use& use) {
     for (const Macro& macro : exactTextures) use(macro);
     for (const Macro& macro : plainTextures) use(macro);
     for (const Macro& macro : interiors) use(macro);
@@ -262,7 +263,8 @@ std::vector<std::string_view> libraryMacroNames() {
     std::vector<std::string_view> names;
     constexpr std::string_view begin = "#macro ";
     forEachMacro([&](const Macro& macro) {
-        for (std::size_t at = macro.text.find(begin); at != macro.text.npos; at = macro.text.find(begin, at)) {
+        for (std::size_t at = macro.text.find(begin); at != macro.text.npos;
+             at = macro.text.find(begin, at)) {
             at += begin.size();
             names.push_back(macro.text.substr(at, macro.text.find('(', at) - at));
         }

@@ -20,7 +20,8 @@ inline std::string everything(const Scene& scene) {
 }
 
 /// Calls `use` with every scene of scenes/ and its name.
-template <typename Use> void forEachSceneOfOurs(const Use& use) {
+template <typename Use>
+void forEachSceneOfOurs(const Use& use) {
     namespace fs = std::filesystem;
     int count = 0;
     for (const auto& folder : fs::directory_iterator(fs::path(YARTE_SOURCE_DIR) / "scenes")) {
@@ -29,7 +30,8 @@ template <typename Use> void forEachSceneOfOurs(const Use& use) {
         Sources sources;
         Diagnostics diagnostics;
         constexpr MeshFormat pmf{".pmf", readPmf};
-        const auto scene = readScene(folder.path() / (name + ".yarte"), {{}, {&pmf, 1}}, sources, diagnostics);
+        const auto scene =
+            readScene(folder.path() / (name + ".yarte"), {{}, {&pmf, 1}}, sources, diagnostics);
         ASSERT_TRUE(scene) << name;
         use(*scene, name);
         ++count;

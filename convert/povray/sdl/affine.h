@@ -18,7 +18,8 @@ Vec3 mapDirection(const Affine&, Vec3);
 Vec3 mapNormal(const Affine&, Vec3);
 double determinant(const Affine&);
 
-/// First `a`, then `b`. A map that is the identity changes no bit of the other, nor does a move of the origin.
+/// First `a`, then `b`. A map that is the identity changes no bit of the other, nor does a move of the
+/// origin.
 Affine then(const Affine& a, const Affine& b);
 /// None if `a` flattens space.
 std::optional<Affine> inverse(const Affine& a);

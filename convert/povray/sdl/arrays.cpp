@@ -37,7 +37,9 @@ Value& Interpreter::element(const Token& name, Value& value) {
     Value* found = &value;
     while (peekTail().is('[')) {
         const auto* array = std::get_if<ArrayPtr>(found);
-        if (!array) fail("sdl.not-an-array", fmt::format("'{}' is {}, not an array", name.text, kindOf(*found)), name.span);
+        if (!array)
+            fail("sdl.not-an-array", fmt::format("'{}' is {}, not an array", name.text, kindOf(*found)),
+                 name.span);
         const ArrayPtr held = *array;
         std::size_t at = 0;
         for (std::size_t d = 0; d < held->sizes.size(); ++d) {
@@ -45,7 +47,8 @@ Value& Interpreter::element(const Token& name, Value& value) {
             const double index = std::trunc(number());
             expect(']');
             if (!(index >= 0 && index < held->sizes[d]))
-                fail("sdl.index", fmt::format("index {} of '{}', which has {} elements", index, name.text, held->sizes[d]),
+                fail("sdl.index",
+                     fmt::format("index {} of '{}', which has {} elements", index, name.text, held->sizes[d]),
                      open.span);
             at = at * static_cast<std::size_t>(held->sizes[d]) + static_cast<std::size_t>(index);
         }
@@ -63,10 +66,12 @@ Value Interpreter::arrayLiteral(const Token& word) {
         const double size = std::trunc(number());
         expect(']');
         if (!(size >= 1 && size <= static_cast<double>(elementsLeft_)) || array->sizes.size() == 5)
-            fail("sdl.array", fmt::format("an array of {} elements, or of more than 5 dimensions", size), word.span);
+            fail("sdl.array", fmt::format("an array of {} elements, or of more than 5 dimensions", size),
+                 word.span);
         array->sizes.push_back(static_cast<int>(size));
         if (count > elementsLeft_ / static_cast<std::size_t>(size))
-            fail("sdl.array", fmt::format("arrays of more than {} elements", environment_.limits.elements), word.span);
+            fail("sdl.array", fmt::format("arrays of more than {} elements", environment_.limits.elements),
+                 word.span);
         count *= static_cast<std::size_t>(size);
     }
     if (array->sizes.empty()) failExpected("'[' and the array's size");
@@ -81,12 +86,14 @@ void Interpreter::fillArray(Array& array, std::size_t dimension, std::size_t& at
     const Nested nested(*this);
     const Token open = expect('{');
     std::size_t step = 1; // elements that one item of this dimension fills
-    for (std::size_t d = dimension + 1; d < array.sizes.size(); ++d) step *= static_cast<std::size_t>(array.sizes[d]);
+    for (std::size_t d = dimension + 1; d < array.sizes.size(); ++d)
+        step *= static_cast<std::size_t>(array.sizes[d]);
     const std::size_t first = at, last = at + step * static_cast<std::size_t>(array.sizes[dimension]);
     std::size_t item = first;
     for (; !peek().is('}'); item += step) {
         if (item >= last)
-            fail("sdl.array", fmt::format("more than the {} values that there is room for", array.sizes[dimension]),
+            fail("sdl.array",
+                 fmt::format("more than the {} values that there is room for", array.sizes[dimension]),
                  peek().span);
         at = item;
         if (dimension + 1 < array.sizes.size())

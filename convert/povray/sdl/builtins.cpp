@@ -58,14 +58,27 @@ constexpr std::pair<std::string_view, ScalarFunction> scalars[] = {
 
 constexpr std::pair<std::string_view, Vector> constants[] = {
     {"pi", {1, {pi}}},
-    {"yes", {1, {1}}},          {"on", {1, {1}}},          {"true", {1, {1}}},
-    {"no", {1, {0}}},           {"off", {1, {0}}},         {"false", {1, {0}}},
-    {"x", {3, {1, 0, 0}}},      {"y", {3, {0, 1, 0}}},     {"z", {3, {0, 0, 1}}},
-    {"u", {2, {1, 0}}},         {"v", {2, {0, 1}}},        {"t", {4, {0, 0, 0, 1}}},
+    {"yes", {1, {1}}},
+    {"on", {1, {1}}},
+    {"true", {1, {1}}},
+    {"no", {1, {0}}},
+    {"off", {1, {0}}},
+    {"false", {1, {0}}},
+    {"x", {3, {1, 0, 0}}},
+    {"y", {3, {0, 1, 0}}},
+    {"z", {3, {0, 0, 1}}},
+    {"u", {2, {1, 0}}},
+    {"v", {2, {0, 1}}},
+    {"t", {4, {0, 0, 0, 1}}},
     // Of an animation's single picture.
-    {"clock", {1, {0}}},        {"clock_delta", {1, {1}}}, {"clock_on", {1, {0}}},
-    {"initial_clock", {1, {0}}}, {"final_clock", {1, {1}}}, {"frame_number", {1, {1}}},
-    {"initial_frame", {1, {1}}}, {"final_frame", {1, {1}}},
+    {"clock", {1, {0}}},
+    {"clock_delta", {1, {1}}},
+    {"clock_on", {1, {0}}},
+    {"initial_clock", {1, {0}}},
+    {"final_clock", {1, {1}}},
+    {"frame_number", {1, {1}}},
+    {"initial_frame", {1, {1}}},
+    {"final_frame", {1, {1}}},
 };
 
 std::vector<double> scalarArguments(Interpreter& in, const Token& name, const ScalarFunction& function) {
@@ -172,9 +185,10 @@ Vector vaxisRotate(Interpreter& in, const Token&) {
     return Vector::of(mapDirection(axisRotation(axis, degrees), v));
 }
 
-/// What only a renderer's knowledge of surfaces and noise could tell: its arguments are evaluated, zeros stand for
-/// it, and the ledger has it.
-template <int size> Vector unknown(Interpreter& in, const Token& name) {
+/// What only a renderer's knowledge of surfaces and noise could tell: its arguments are evaluated, zeros
+/// stand for it, and the ledger has it.
+template <int size>
+Vector unknown(Interpreter& in, const Token& name) {
     in.expect('(');
     while (!in.peek().is(')')) {
         if (in.namedValue() && !in.startsExpression() && !in.startsString())
@@ -202,11 +216,17 @@ const std::unordered_map<std::string_view, Call>& calls() {
         {"min_extent", [](Interpreter& in, const Token& n) { return Vector::of(extent(in, n)); }},
         {"max_extent", [](Interpreter& in, const Token& n) { return Vector::of(extent(in, n)); }},
         {"bitwise_and",
-         [](Interpreter& in, const Token&) { return bitwise(in, [](unsigned a, unsigned b) { return a & b; }); }},
+         [](Interpreter& in, const Token&) {
+             return bitwise(in, [](unsigned a, unsigned b) { return a & b; });
+         }},
         {"bitwise_or",
-         [](Interpreter& in, const Token&) { return bitwise(in, [](unsigned a, unsigned b) { return a | b; }); }},
+         [](Interpreter& in, const Token&) {
+             return bitwise(in, [](unsigned a, unsigned b) { return a | b; });
+         }},
         {"bitwise_xor",
-         [](Interpreter& in, const Token&) { return bitwise(in, [](unsigned a, unsigned b) { return a ^ b; }); }},
+         [](Interpreter& in, const Token&) {
+             return bitwise(in, [](unsigned a, unsigned b) { return a ^ b; });
+         }},
         {"asc",
          [](Interpreter& in, const Token&) {
              in.expect('(');
@@ -282,12 +302,10 @@ const std::unordered_map<std::string_view, Call>& calls() {
              in.expect('(');
              const double stream = in.number();
              in.expect(')');
-             if (!in.random().has(stream))
-                 in.fail("sdl.random", "rand() needs what seed() gave", name.span);
+             if (!in.random().has(stream)) in.fail("sdl.random", "rand() needs what seed() gave", name.span);
              return Vector::number(in.random().next(static_cast<std::size_t>(stream)));
          }},
-        {"image_width",
-         [](Interpreter& in, const Token&) { return Vector::number(in.environment().width); }},
+        {"image_width", [](Interpreter& in, const Token&) { return Vector::number(in.environment().width); }},
         {"image_height",
          [](Interpreter& in, const Token&) { return Vector::number(in.environment().height); }},
         {"version", [](Interpreter& in, const Token&) { return Vector::number(in.languageVersion()); }},

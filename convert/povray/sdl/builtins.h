@@ -21,8 +21,8 @@ const ScalarFunction* scalarFunction(std::string_view name);
 /// "pi", "yes", "x"; none where it depends on the run ("clock", "image_width").
 std::optional<Vector> constant(std::string_view name);
 
-/// A function that gives a number or a vector, or a variable of the run: its name has been read. None: `name` is
-/// no such word.
+/// A function that gives a number or a vector, or a variable of the run: its name has been read. None: `name`
+/// is no such word.
 std::optional<Vector> numericBuiltin(Interpreter&, const Token& name);
 
 bool isNumericBuiltin(std::string_view name);

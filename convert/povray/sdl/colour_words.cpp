@@ -15,8 +15,8 @@ int channel(std::string_view word) {
 }
 
 bool isColourWord(std::string_view w) {
-    return w == "rgb" || w == "rgbf" || w == "rgbt" || w == "rgbft" || w == "srgb" || w == "srgbf" || w == "srgbt" ||
-           w == "srgbft" || w == "color" || w == "colour" || channel(w) >= 0;
+    return w == "rgb" || w == "rgbf" || w == "rgbt" || w == "rgbft" || w == "srgb" || w == "srgbf" ||
+           w == "srgbt" || w == "srgbft" || w == "color" || w == "colour" || channel(w) >= 0;
 }
 
 Vector Interpreter::colourWords() {

@@ -1,5 +1,5 @@
-// The directives that stand in the text: declarations, messages, and which file comes next. Those that choose what
-// is read are in flow.cpp.
+// The directives that stand in the text: declarations, messages, and which file comes next. Those that choose
+// what is read are in flow.cpp.
 
 #include "convert/povray/sdl/interpreter.h"
 #include "convert/povray/sdl/words.h"
@@ -46,7 +46,8 @@ void Interpreter::directive(const Token& token) {
     if (run != runs.end()) return run->second(*this, token);
     for (const char* file : {"fopen", "fclose", "read", "write"})
         if (token.text == file)
-            fail("sdl.file-access", fmt::format("#{}: a scene that reads or writes files of its own is refused", file),
+            fail("sdl.file-access",
+                 fmt::format("#{}: a scene that reads or writes files of its own is refused", file),
                  token.span);
     fail("sdl.directive", fmt::format("unknown directive #{}", token.text), token.span);
 }
@@ -72,7 +73,8 @@ void Interpreter::declare(const Token& directive, bool isLocal) {
     }
     if (name.kind != TokenKind::word) fail("sdl.unexpected", "expected a name to declare", name.span);
     if (isReserved(name.text))
-        fail("sdl.reserved", fmt::format("'{}' is a word of the language and cannot be declared", name.text), name.span);
+        fail("sdl.reserved", fmt::format("'{}' is a word of the language and cannot be declared", name.text),
+             name.span);
     // Its value may come from a macro that has not ended when it is known: "Macro()" with a "Value;" in it.
     const std::size_t depth = symbols_.depth();
     // A local name hides those of callers; #declare changes the innermost there is, and makes global ones.
@@ -115,8 +117,10 @@ void Interpreter::setVersion() {
 
 void Interpreter::message(const Token& directive) {
     const std::string text = string();
-    if (directive.text == "error") fail("sdl.error-directive", fmt::format("#error: {}", text), directive.span);
-    if (directive.text == "warning") warn("sdl.warning-directive", fmt::format("#warning: {}", text), directive.span);
+    if (directive.text == "error")
+        fail("sdl.error-directive", fmt::format("#error: {}", text), directive.span);
+    if (directive.text == "warning")
+        warn("sdl.warning-directive", fmt::format("#warning: {}", text), directive.span);
     if (directive.text == "debug" && environment_.debug) environment_.debug(text);
 }
 
@@ -128,7 +132,8 @@ std::filesystem::path Interpreter::findInclude(const std::string& name, Span whe
         if (fs::is_regular_file(folder / name, ignored)) return folder / name;
     for (const fs::path& folder : environment_.library)
         if (fs::is_regular_file(folder / name, ignored)) return folder / name;
-    fail("sdl.include-missing", fmt::format("no file '{}' in the scene's folder nor in POV-Ray's library", name), where);
+    fail("sdl.include-missing",
+         fmt::format("no file '{}' in the scene's folder nor in POV-Ray's library", name), where);
 }
 
 void Interpreter::include(const Token& directive) {

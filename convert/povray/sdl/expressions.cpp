@@ -17,7 +17,8 @@ namespace {
 
 constexpr double tolerance = 1e-10; // POV-Ray's, of comparisons
 
-template <typename Operation> Vector combined(Vector a, Vector b, Operation operation) {
+template <typename Operation>
+Vector combined(Vector a, Vector b, Operation operation) {
     const int size = std::max(a.size, b.size);
     a = a.promoted(size), b = b.promoted(size);
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) a.at[i] = operation(a.at[i], b.at[i]);
@@ -74,7 +75,8 @@ bool Interpreter::flag() {
 Vec3 Interpreter::vector3() {
     const Span where = peek().span;
     const Vector v = term();
-    if (v.size > 3) fail("sdl.not-a-vector", fmt::format("expected a vector of 3, found {}", kindOf(v)), where);
+    if (v.size > 3)
+        fail("sdl.not-a-vector", fmt::format("expected a vector of 3, found {}", kindOf(v)), where);
     return v.promoted(3).vec3();
 }
 
@@ -83,7 +85,8 @@ Vec3 Interpreter::point() {
         if (const auto literal = frame().lexer.literalVector()) {
             // Usually followed by a comma or a brace, but this may go on: <1, 2, 3>*2.
             const Token& after = peekTail();
-            if (!after.is('*') && !after.is('/') && !after.is('+') && !after.is('-') && !after.is('.')) return *literal;
+            if (!after.is('*') && !after.is('/') && !after.is('+') && !after.is('-') && !after.is('.'))
+                return *literal;
             Token product{.kind = TokenKind::word, .text = "vector", .span = after.span};
             product.symbol = std::make_shared<Symbol>(Symbol{"vector", Value(Vector::of(*literal))});
             putBack(std::move(product));
@@ -301,10 +304,12 @@ bool Interpreter::startsExpression() {
         token.is('!'))
         return true;
     if (token.kind != TokenKind::word) return false;
-    if (!token.symbol) return isColourWord(token.text) || constant(token.text) || isNumericBuiltin(token.text);
+    if (!token.symbol)
+        return isColourWord(token.text) || constant(token.text) || isNumericBuiltin(token.text);
     const Value* value = namedValue();
-    return value && (std::holds_alternative<Vector>(*value) || std::holds_alternative<Shared<Function>>(*value) ||
-                     std::holds_alternative<Shared<Spline>>(*value));
+    return value &&
+           (std::holds_alternative<Vector>(*value) || std::holds_alternative<Shared<Function>>(*value) ||
+            std::holds_alternative<Shared<Spline>>(*value));
 }
 
 Value Interpreter::value() {
@@ -335,7 +340,8 @@ Value Interpreter::value() {
         }
     }
     const Token& token = peek();
-    if (token.kind == TokenKind::word && !token.symbol && isColourWord(token.text)) return Vector::of(colour());
+    if (token.kind == TokenKind::word && !token.symbol && isColourWord(token.text))
+        return Vector::of(colour());
     return expression();
 }
 

@@ -121,7 +121,8 @@ void Interpreter::switching(const Token& directive) {
         const double high = stop.text == "range" ? number() : low;
         expect(')');
         constexpr double tolerance = 1e-10; // POV-Ray's
-        const bool isCase = stop.text == "range" ? value >= low && value <= high : std::abs(value - low) < tolerance;
+        const bool isCase =
+            stop.text == "range" ? value >= low && value <= high : std::abs(value - low) < tolerance;
         if (isCase) return;
     }
 }

@@ -135,7 +135,8 @@ struct Compiler {
             std::vector<Evaluate> list = arguments();
             const int count = static_cast<int>(list.size());
             if (count < function->least || count > function->most)
-                in.fail("sdl.arguments", fmt::format("{} does not take {} arguments", name.text, count), name.span);
+                in.fail("sdl.arguments", fmt::format("{} does not take {} arguments", name.text, count),
+                        name.span);
             return [list = std::move(list), function](Arguments v) {
                 std::vector<double> values;
                 for (const Evaluate& e : list) values.push_back(e(v));
@@ -151,7 +152,8 @@ struct Compiler {
                 for (int depth = 1; depth > 0;) {
                     const Token t = in.next();
                     depth += t.is('(') ? 1 : t.is(')') ? -1 : 0;
-                    if (t.kind == TokenKind::end) in.fail("sdl.no-brace", "this function has no end", name.span);
+                    if (t.kind == TokenKind::end)
+                        in.fail("sdl.no-brace", "this function has no end", name.span);
                 }
             }
             return number(0);
@@ -168,7 +170,8 @@ struct Compiler {
             return number(0);
         }
         if (list.size() != function->parameters.size())
-            in.fail("sdl.arguments", fmt::format("the function takes {} arguments", function->parameters.size()),
+            in.fail("sdl.arguments",
+                    fmt::format("the function takes {} arguments", function->parameters.size()),
                     in.peek().span);
         return [list = std::move(list), function](Arguments v) {
             std::vector<double> values;
@@ -189,7 +192,8 @@ Value parseFunction(Interpreter& in) {
         function->parameters.clear();
         while (!in.accept(')')) {
             const Token name = in.next();
-            if (name.kind != TokenKind::word) in.fail("sdl.unexpected", "expected a parameter's name", name.span);
+            if (name.kind != TokenKind::word)
+                in.fail("sdl.unexpected", "expected a parameter's name", name.span);
             function->parameters.emplace_back(name.text);
             in.comma();
         }
@@ -221,11 +225,14 @@ Vector call(const Function& function, std::span<const double> arguments, const I
     if (!function.evaluate) {
         in.report(where, "function of " + function.kind, "is not computed: zero is taken");
         // A pigment's function gives a colour, which a component may be taken of.
-        return function.kind == "pigment" ? Vector{5, {}} : function.kind == "transform" ? Vector{3, {}} : Vector::number(0);
+        return function.kind == "pigment"     ? Vector{5, {}}
+               : function.kind == "transform" ? Vector{3, {}}
+                                              : Vector::number(0);
     }
     if (arguments.size() != function.parameters.size())
         in.fail("sdl.arguments",
-                fmt::format("the function takes {} arguments, not {}", function.parameters.size(), arguments.size()),
+                fmt::format("the function takes {} arguments, not {}", function.parameters.size(),
+                            arguments.size()),
                 where);
     return Vector::number(function.evaluate(arguments));
 }

@@ -1,5 +1,5 @@
-// Function: what `#declare f = function(a, b) { ... }` defines. Compiled where it is defined: later changes of the
-// names in it do not change it.
+// Function: what `#declare f = function(a, b) { ... }` defines. Compiled where it is defined: later changes
+// of the names in it do not change it.
 #pragma once
 
 #include "convert/povray/sdl/value.h"
@@ -17,8 +17,8 @@ struct Function {
     using Evaluate = std::function<double(std::span<const double> arguments)>;
 
     std::vector<std::string> parameters{"x", "y", "z"};
-    Evaluate evaluate;   ///< null: it needs patterns or POV-Ray's internal functions, see `kind`
-    std::string kind{};  ///< "pattern", "internal", ...
+    Evaluate evaluate;  ///< null: it needs patterns or POV-Ray's internal functions, see `kind`
+    std::string kind{}; ///< "pattern", "internal", ...
 };
 
 /// From the word `function`, which comes next.

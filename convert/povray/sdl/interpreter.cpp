@@ -4,7 +4,8 @@
 
 namespace yarte::convert::povray::sdl {
 
-Interpreter::Interpreter(Environment environment, Statements& statements, SourceId text, std::filesystem::path file)
+Interpreter::Interpreter(Environment environment, Statements& statements, SourceId text,
+                         std::filesystem::path file)
     : environment_(std::move(environment)), statements_(statements),
       folder_(file.has_parent_path() ? file.parent_path() : "."), tokensLeft_(environment_.limits.tokens),
       elementsLeft_(environment_.limits.elements) {
@@ -15,9 +16,10 @@ Interpreter::Interpreter(Environment environment, Statements& statements, Source
 Interpreter::Nested::Nested(Interpreter& in) : in_(in) {
     if (++in_.nesting_ > in_.environment_.limits.nesting) {
         --in_.nesting_; // the destructor will not run
-        in_.fail("sdl.too-deep",
-                 fmt::format("more than {} levels of braces and parentheses", in_.environment_.limits.nesting),
-                 in_.peek().span);
+        in_.fail(
+            "sdl.too-deep",
+            fmt::format("more than {} levels of braces and parentheses", in_.environment_.limits.nesting),
+            in_.peek().span);
     }
 }
 
@@ -72,7 +74,8 @@ std::vector<DiagnosticNote> Interpreter::trace() const {
 void Interpreter::enterFrame(Frame frame) {
     if (frames_.size() >= environment_.limits.frames)
         fail("sdl.recursion",
-             fmt::format("more than {} macros and included files within one another", environment_.limits.frames),
+             fmt::format("more than {} macros and included files within one another",
+                         environment_.limits.frames),
              frame.call);
     frames_.push_back(std::move(frame));
 }
@@ -95,8 +98,8 @@ namespace {
 
 /// Directives that choose what is read, rather than declare or tell something.
 bool isFlow(std::string_view directive) {
-    for (const std::string_view flow : {"if", "ifdef", "ifndef", "else", "elseif", "end", "while", "for", "switch",
-                                        "case", "range", "break"})
+    for (const std::string_view flow : {"if", "ifdef", "ifndef", "else", "elseif", "end", "while", "for",
+                                        "switch", "case", "range", "break"})
         if (directive == flow) return true;
     return false;
 }

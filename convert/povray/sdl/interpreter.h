@@ -1,8 +1,8 @@
 // Interpreter: runs the program that an SDL file is.
 //
-// To its users, the parsers of statements, it is a stream of tokens in which directives have been obeyed, macros
-// replaced by their text and files included, as in POV-Ray, where a #if or a macro may stand anywhere; and it
-// evaluates the expressions in it. The first error ends the run: SyntaxError.
+// To its users, the parsers of statements, it is a stream of tokens in which directives have been obeyed,
+// macros replaced by their text and files included, as in POV-Ray, where a #if or a macro may stand anywhere;
+// and it evaluates the expressions in it. The first error ends the run: SyntaxError.
 #pragma once
 
 #include "convert/povray/sdl/lexer.h"
@@ -46,11 +46,11 @@ struct Statements {
 struct Environment {
     Sources& sources;
     Diagnostics& diagnostics;
-    ReadableFolders readable;                             ///< besides the scene's own folder
-    std::vector<std::filesystem::path> library{};         ///< where includes are looked for last
-    int width = 640, height = 480;                        ///< image_width, image_height
+    ReadableFolders readable;                     ///< besides the scene's own folder
+    std::vector<std::filesystem::path> library{}; ///< where includes are looked for last
+    int width = 640, height = 480;                ///< image_width, image_height
     Limits limits{};
-    std::function<void(const std::string&)> debug{};      ///< what #debug prints
+    std::function<void(const std::string&)> debug{}; ///< what #debug prints
     /// Tells of something that is not as POV-Ray would have it; for the ledger.
     std::function<void(Span, std::string what, std::string detail)> report{};
 };
@@ -63,8 +63,8 @@ public:
     // Tokens
     Token next();
     const Token& peek();
-    /// As peek(), where the next token may belong to what was read before or not (is there an operator? another
-    /// layer?): it does not obey a #declare, which would then come before its time.
+    /// As peek(), where the next token may belong to what was read before or not (is there an operator?
+    /// another layer?): it does not obey a #declare, which would then come before its time.
     const Token& peekTail();
     bool acceptTail(char mark);
     /// Where the next token is, or near it, without looking at it.
@@ -85,8 +85,8 @@ public:
     Vec3 point();
 
     // Expressions
-    /// A number, vector or colour. Comparisons are part of it; in all those below they need parentheses, as in
-    /// POV-Ray: "<0, 2, 0> <0, 0, -1>" are two vectors.
+    /// A number, vector or colour. Comparisons are part of it; in all those below they need parentheses, as
+    /// in POV-Ray: "<0, 2, 0> <0, 0, -1>" are two vectors.
     Vector expression();
     Vector term();
     bool flag(); ///< an expression
@@ -106,14 +106,16 @@ public:
     bool isDefinedName();
 
     /// The value of the name that comes next, through array indices, if it is a T; it is then read.
-    template <typename T> std::optional<T> acceptNamed() {
+    template <typename T>
+    std::optional<T> acceptNamed() {
         const Value* found = namedValue();
         if (!found || !std::holds_alternative<T>(*found)) return std::nullopt;
         T result = std::get<T>(*found);
         takeNamed();
         return result;
     }
-    /// What the name that comes next stands for; null if no name comes, or one without a value. Reads its indices.
+    /// What the name that comes next stands for; null if no name comes, or one without a value. Reads its
+    /// indices.
     const Value* namedValue();
     void takeNamed() { ahead_.pop_back(); }
 
@@ -172,8 +174,8 @@ private:
     };
 
     // interpreter.cpp
-    /// Obeys directives on the way; with `stopsAtDeclarations`, only those that choose what is read: another one is
-    /// then the token.
+    /// Obeys directives on the way; with `stopsAtDeclarations`, only those that choose what is read: another
+    /// one is then the token.
     Token read(bool stopsAtDeclarations);
     Token lex();
     Frame& frame() { return frames_.back(); }
@@ -228,7 +230,7 @@ private:
     Symbols symbols_;
     Random random_;
     std::vector<Frame> frames_;
-    std::vector<Token> ahead_; ///< put back or looked at, the next one last
+    std::vector<Token> ahead_;     ///< put back or looked at, the next one last
     std::filesystem::path folder_; ///< of the scene
     double version_ = 3.62;
     std::unordered_map<std::string, SourceId> included_; ///< by file

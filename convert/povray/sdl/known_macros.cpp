@@ -1,6 +1,6 @@
-// The macros of YARTE's own .pov files. Their arguments are the scene's numbers to the last bit, which what they
-// expand to is not; so where all of them read as we write them, the arguments are taken. In a file where one was
-// edited, all are run like any others: the file means what it shows.
+// The macros of YARTE's own .pov files. Their arguments are the scene's numbers to the last bit, which what
+// they expand to is not; so where all of them read as we write them, the arguments are taken. In a file where
+// one was edited, all are run like any others: the file means what it shows.
 
 #include "convert/povray/library.h"
 #include "convert/povray/sdl/parser.h"
@@ -75,7 +75,8 @@ MeshData meshOf(const Interpreter& in, const Value& vertices, const Value& faces
     for (std::size_t at = 0; at < list.size();) {
         const std::uint32_t corners = indexOf(list[at], list.size() - at);
         ++at;
-        for (std::uint32_t i = 0; i < corners; ++i) mesh.corners.push_back(indexOf(list[at++], mesh.vertices.size()));
+        for (std::uint32_t i = 0; i < corners; ++i)
+            mesh.corners.push_back(indexOf(list[at++], mesh.vertices.size()));
         mesh.faceStarts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
     }
     return mesh;
@@ -128,7 +129,8 @@ ObjectPtr Parser::withWrittenAxes(const Interpreter& in, const Object& object) c
     return copy;
 }
 
-std::optional<Value> Parser::callKnown(Interpreter& in, const Macro& macro, const std::vector<Value>& a, Span call) {
+std::optional<Value> Parser::callKnown(Interpreter& in, const Macro& macro, const std::vector<Value>& a,
+                                       Span call) {
     if (!isLibraryMacro(macro.name, macro.text) || !libraryIsIntact(in)) return std::nullopt;
     const std::string_view name = macro.name;
     try {
@@ -150,7 +152,8 @@ std::optional<Value> Parser::callKnown(Interpreter& in, const Macro& macro, cons
             Appearance look;
             auto& known = model_.exactMaterials;
             // A two-sided one follows the material that it belongs to.
-            const auto last = isTwoSided ? std::ranges::find(known.rbegin(), known.rend(), material) : known.rend();
+            const auto last =
+                isTwoSided ? std::ranges::find(known.rbegin(), known.rend(), material) : known.rend();
             if (last == known.rend()) {
                 look.exact = {{static_cast<std::uint32_t>(known.size())}, {}};
                 known.push_back(material);
@@ -170,17 +173,19 @@ std::optional<Value> Parser::callKnown(Interpreter& in, const Macro& macro, cons
             model_.gamma = globalNumber(in, "Display_Gamma");
             return std::make_shared<const CameraModel>(camera);
         }
-        if (name == "Yarte_Turn") return std::make_shared<const Affine>(Affine{vec3Of(a[0]), vec3Of(a[1]), vec3Of(a[2])});
+        if (name == "Yarte_Turn")
+            return std::make_shared<const Affine>(Affine{vec3Of(a[0]), vec3Of(a[1]), vec3Of(a[2])});
         if (name == "Yarte_Polygon") return exactObject({Polygon{vectorsOf(a[0])}}, call);
         if (name == "Yarte_Truncated_Cone")
             return exactObject({TruncatedCone{{}, numberOf(a[0]), numberOf(a[1]), numberOf(a[2])}}, call);
-        if (name == "Yarte_Inside") return std::make_shared<const OpaqueValue>(OpaqueValue{"inside of a mesh"});
+        if (name == "Yarte_Inside")
+            return std::make_shared<const OpaqueValue>(OpaqueValue{"inside of a mesh"});
         if (name == "Yarte_Faces" || name == "Yarte_Smooth_Faces") {
             const bool isSmooth = name == "Yarte_Smooth_Faces";
             const std::size_t n = isSmooth ? 4 : 2;
             const Array* vertices = &arrayOf(a[0]);
-            const auto [at, isNew] =
-                exactMeshes_.try_emplace(vertices, MeshId{static_cast<std::uint32_t>(model_.exactMeshes.size())});
+            const auto [at, isNew] = exactMeshes_.try_emplace(
+                vertices, MeshId{static_cast<std::uint32_t>(model_.exactMeshes.size())});
             if (isNew) {
                 MeshData data = meshOf(in, a[0], a[1]);
                 if (isSmooth) {

@@ -56,7 +56,8 @@ Token Lexer::next() {
     if (begin >= text_.size()) return {.span = span(text_.size(), text_.size())};
     const char c = text_[begin];
     if (isLetter(c)) return word(begin);
-    if (isDigit(c) || (c == '.' && begin + 1 < text_.size() && isDigit(text_[begin + 1]))) return number(begin);
+    if (isDigit(c) || (c == '.' && begin + 1 < text_.size() && isDigit(text_[begin + 1])))
+        return number(begin);
     if (c == '"') return string(begin);
     if (c == '#') {
         ++at_;
@@ -91,7 +92,8 @@ Token Lexer::string(std::size_t begin) {
     ++at_;
     while (at_ < text_.size() && text_[at_] != '"') at_ += text_[at_] == '\\' ? 2 : 1;
     if (at_ >= text_.size())
-        throw SyntaxError("sdl.unterminated-string", "this string has no closing quote", span(begin, begin + 1));
+        throw SyntaxError("sdl.unterminated-string", "this string has no closing quote",
+                          span(begin, begin + 1));
     ++at_;
     return {.kind = TokenKind::string,
             .text = text_.substr(begin + 1, at_ - begin - 2),
@@ -116,8 +118,9 @@ Token Lexer::punctuation(std::size_t begin) {
     if (token.mark == text_[begin] && known.find(token.mark) == known.npos) {
         const auto byte = static_cast<unsigned char>(token.mark);
         throw SyntaxError("sdl.character",
-                          byte < 0x7f ? fmt::format("unexpected character '{}'", token.mark)
-                                      : fmt::format("unexpected byte 0x{:02x} outside strings and comments", byte),
+                          byte < 0x7f
+                              ? fmt::format("unexpected character '{}'", token.mark)
+                              : fmt::format("unexpected byte 0x{:02x} outside strings and comments", byte),
                           token.span);
     }
     return token;
@@ -176,7 +179,8 @@ std::string unescaped(const Token& token) {
         case 'u': {
             unsigned value = 0;
             const char* first = text.data() + i + 1;
-            const auto [after, error] = std::from_chars(first, first + std::min<std::size_t>(4, text.size() - i - 1), value, 16);
+            const auto [after, error] =
+                std::from_chars(first, first + std::min<std::size_t>(4, text.size() - i - 1), value, 16);
             if (error != std::errc() || after != first + 4)
                 throw SyntaxError("sdl.escape", "\\u needs four hexadecimal digits", token.span);
             appendUtf8(result, value);

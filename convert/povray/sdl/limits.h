@@ -1,4 +1,5 @@
-// Limits: what bounds a program that comes from a stranger. Far above what scenes need; reaching one is an error.
+// Limits: what bounds a program that comes from a stranger. Far above what scenes need; reaching one is an
+// error.
 #pragma once
 
 #include <cstddef>

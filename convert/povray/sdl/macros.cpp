@@ -8,8 +8,7 @@ namespace yarte::convert::povray::sdl {
 /// A word as it stands: not looked up, no macro run.
 Token Interpreter::rawWord(std::string_view what) {
     Token token = lex();
-    if (token.kind != TokenKind::word)
-        fail("sdl.unexpected", fmt::format("expected {}", what), token.span);
+    if (token.kind != TokenKind::word) fail("sdl.unexpected", fmt::format("expected {}", what), token.span);
     return token;
 }
 
@@ -23,7 +22,8 @@ void Interpreter::defineMacro(const Token& directive) {
     if (!token.is('(')) fail("sdl.unexpected", "expected '(' and the macro's parameters", token.span);
     for (token = lex(); !token.is(')'); token = lex()) {
         if (token.is(',')) continue;
-        if (token.kind != TokenKind::word) fail("sdl.unexpected", "expected a parameter's name or ')'", token.span);
+        if (token.kind != TokenKind::word)
+            fail("sdl.unexpected", "expected a parameter's name or ')'", token.span);
         macro->parameters.emplace_back(token.text);
     }
     macro->body = frame().lexer.offset();
@@ -45,7 +45,8 @@ void Interpreter::callMacro(const Token& name, const Macro& macro) {
     expect('(');
     while (!peek().is(')')) {
         if (arguments.size() == macro.parameters.size())
-            fail("sdl.arguments", fmt::format("macro {} takes {} arguments", macro.name, macro.parameters.size()),
+            fail("sdl.arguments",
+                 fmt::format("macro {} takes {} arguments", macro.name, macro.parameters.size()),
                  peek().span);
         if (peek().kind == TokenKind::word) {
             Token word = next();
@@ -88,7 +89,8 @@ void Interpreter::callMacro(const Token& name, const Macro& macro) {
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         Argument& argument = arguments[i];
         if (!argument.reference) {
-            argument.reference = std::make_shared<Symbol>(Symbol{macro.parameters[i], std::move(argument.value)});
+            argument.reference =
+                std::make_shared<Symbol>(Symbol{macro.parameters[i], std::move(argument.value)});
         }
         symbols_.bindLocal(macro.parameters[i], std::move(argument.reference));
     }

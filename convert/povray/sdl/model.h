@@ -41,7 +41,8 @@ struct Finish {
     double reflectionFalloff = 1, reflectionExponent = 1, reflectionMetallic = 0;
     bool reflectionFresnel = false, conserveEnergy = false;
     std::optional<double> index; ///< `ior` in a finish, as POV-Ray before 3.1 had it
-    std::vector<std::string> ignored{}; ///< words that change the picture and have no part here: "crand", "irid"
+    std::vector<std::string>
+        ignored{}; ///< words that change the picture and have no part here: "crand", "irid"
     friend bool operator==(const Finish&, const Finish&) = default;
 };
 
@@ -77,17 +78,42 @@ struct Appearance {
 
 // Shapes. Lengths and places before the object's own transformation.
 
-struct SphereShape { Vec3 centre; double radius = 1; };
-struct BoxShape { Vec3 a, b; }; ///< two opposite corners, in any order
+struct SphereShape {
+    Vec3 centre;
+    double radius = 1;
+};
+struct BoxShape {
+    Vec3 a, b;
+}; ///< two opposite corners, in any order
 /// A cylinder where the radii are equal, a cone where one of them is 0.
-struct ConeShape { Vec3 a; double radiusA = 1; Vec3 b; double radiusB = 0; bool open = false; };
-struct DiscShape { Vec3 centre, normal{0, 1, 0}; double radius = 1, hole = 0; };
-struct TorusShape { double major = 1, minor = 0.25; }; ///< around y
-struct PlaneShape { Vec3 normal{0, 1, 0}; double distance = 0; }; ///< as written; POV-Ray divides n and not d by |n|
-/// As written: points in space; a contour ends where its first point comes again (which is not repeated here).
-struct PolygonShape { std::vector<std::vector<Vec3>> contours; };
+struct ConeShape {
+    Vec3 a;
+    double radiusA = 1;
+    Vec3 b;
+    double radiusB = 0;
+    bool open = false;
+};
+struct DiscShape {
+    Vec3 centre, normal{0, 1, 0};
+    double radius = 1, hole = 0;
+};
+struct TorusShape {
+    double major = 1, minor = 0.25;
+}; ///< around y
+struct PlaneShape {
+    Vec3 normal{0, 1, 0};
+    double distance = 0;
+}; ///< as written; POV-Ray divides n and not d by |n|
+/// As written: points in space; a contour ends where its first point comes again (which is not repeated
+/// here).
+struct PolygonShape {
+    std::vector<std::vector<Vec3>> contours;
+};
 /// One triangle, with normals if smooth. Its front is by the left-hand rule.
-struct TriangleShape { std::array<Vec3, 3> corners; std::optional<std::array<Vec3, 3>> normals; };
+struct TriangleShape {
+    std::array<Vec3, 3> corners;
+    std::optional<std::array<Vec3, 3>> normals;
+};
 
 struct MeshShape {
     using Indices = std::array<std::uint32_t, 3>;
@@ -104,7 +130,10 @@ struct Object;
 using ObjectPtr = std::shared_ptr<const Object>;
 
 /// union, merge.
-struct UnionShape { std::vector<ObjectPtr> parts; bool isMerge = false; };
+struct UnionShape {
+    std::vector<ObjectPtr> parts;
+    bool isMerge = false;
+};
 
 struct LightShape {
     Vec3 position;
@@ -116,15 +145,19 @@ struct LightShape {
 };
 
 /// What YARTE has no shape for: evaluated past. `kind` as written: "difference", "isosurface".
-struct UnsupportedShape { std::string kind; };
+struct UnsupportedShape {
+    std::string kind;
+};
 
 /// A shape that one of the macros of YARTE's own .pov files made, from its arguments: already in the scene's
 /// units and without any transformation.
-struct ExactShape { Shape shape; }; ///< a mesh's id is into Model::exactMeshes
+struct ExactShape {
+    Shape shape;
+}; ///< a mesh's id is into Model::exactMeshes
 
-using ObjectShape = std::variant<SphereShape, BoxShape, ConeShape, DiscShape, TorusShape, PlaneShape, PolygonShape,
-                                 TriangleShape, std::shared_ptr<const MeshShape>, UnionShape, LightShape,
-                                 UnsupportedShape, ExactShape>;
+using ObjectShape = std::variant<SphereShape, BoxShape, ConeShape, DiscShape, TorusShape, PlaneShape,
+                                 PolygonShape, TriangleShape, std::shared_ptr<const MeshShape>, UnionShape,
+                                 LightShape, UnsupportedShape, ExactShape>;
 
 struct Object {
     ObjectShape shape;
@@ -141,8 +174,8 @@ struct Object {
 struct CameraModel {
     std::string kind = "perspective";
     Vec3 location, direction{0, 0, 1}, right{1.33, 0, 0}, up{0, 1, 0}; ///< after look_at, angle, ...
-    std::vector<std::string> ignored; ///< "focal_blur", "normal"
-    std::optional<Camera> exact;      ///< by Yarte_Camera
+    std::vector<std::string> ignored;                                  ///< "focal_blur", "normal"
+    std::optional<Camera> exact;                                       ///< by Yarte_Camera
     Span span;
 };
 
@@ -151,7 +184,7 @@ struct Model {
     Colour background{};
     Colour ambientLight{1, 1, 1};
     int maxTraceLevel = 5;
-    double languageVersion = 3.62; ///< the last #version; below 3.7 some formulas of textures differ
+    double languageVersion = 3.62;  ///< the last #version; below 3.7 some formulas of textures differ
     std::vector<ObjectPtr> objects; ///< lights among them; in the order of the file
     Texture defaultTexture;
     /// global_settings' assumed_gamma; none: not given.

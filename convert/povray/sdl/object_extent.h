@@ -8,7 +8,8 @@
 
 namespace yarte::convert::povray::sdl {
 
-/// The lowest and the highest corner, axis-parallel. None of a shape whose extent is not known, or that has none.
+/// The lowest and the highest corner, axis-parallel. None of a shape whose extent is not known, or that has
+/// none.
 std::optional<std::array<Vec3, 2>> extentOf(const Object&);
 
 } // namespace yarte::convert::povray::sdl

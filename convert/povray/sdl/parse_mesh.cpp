@@ -78,7 +78,8 @@ MeshShape Parser::mesh2(Interpreter& in) {
                     const Span where = in.peek().span;
                     const int texture = in.integer();
                     if (texture < 0 || static_cast<std::size_t>(texture) >= mesh.textures.size())
-                        in.fail("sdl.mesh", fmt::format("texture {} of {}", texture, mesh.textures.size()), where);
+                        in.fail("sdl.mesh", fmt::format("texture {} of {}", texture, mesh.textures.size()),
+                                where);
                     if (hasTexture) continue;
                     hasTexture = true;
                     mesh.faceTextures.resize(mesh.faces.size(), MeshShape::none);
@@ -121,7 +122,8 @@ MeshShape Parser::mesh(Interpreter& in) {
     std::map<const Layers*, std::uint32_t> textures;
     std::vector<Shared<Layers>> kept;
     const auto vertex = [&](Vec3 v) {
-        const auto [at, isNew] = known.try_emplace({v.x, v.y, v.z}, static_cast<std::uint32_t>(mesh.vertices.size()));
+        const auto [at, isNew] =
+            known.try_emplace({v.x, v.y, v.z}, static_cast<std::uint32_t>(mesh.vertices.size()));
         if (isNew) mesh.vertices.push_back(v);
         return at->second;
     };
@@ -152,7 +154,8 @@ MeshShape Parser::mesh(Interpreter& in) {
             if (!named) in.failExpected("the name of a texture");
             while (in.accept(',')) in.acceptNamed<Shared<Layers>>();
             in.expect('}');
-            const auto [at, isNew] = textures.try_emplace(named->get(), static_cast<std::uint32_t>(mesh.textures.size()));
+            const auto [at, isNew] =
+                textures.try_emplace(named->get(), static_cast<std::uint32_t>(mesh.textures.size()));
             if (isNew) {
                 mesh.textures.push_back(**named);
                 kept.push_back(*named); // its address is the key

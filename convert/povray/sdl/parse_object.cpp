@@ -63,18 +63,22 @@ std::optional<Affine> acceptTransformation(Interpreter& in) {
 bool optionalFlag(Interpreter& in) {
     const Token& token = in.peek();
     const bool isFlag = token.kind == TokenKind::number || token.isWord("on") || token.isWord("off") ||
-                        token.isWord("yes") || token.isWord("no") || token.isWord("true") || token.isWord("false");
-    return isFlag || (token.kind == TokenKind::word && token.symbol && in.startsExpression()) ? in.flag() : true;
+                        token.isWord("yes") || token.isWord("no") || token.isWord("true") ||
+                        token.isWord("false");
+    return isFlag || (token.kind == TokenKind::word && token.symbol && in.startsExpression()) ? in.flag()
+                                                                                              : true;
 }
 
 /// The object whose keyword comes next; null if none comes.
 ObjectPtr Parser::object(Interpreter& in) {
     const Interpreter::Nested nested(in);
     if (auto named = in.acceptNamed<ObjectPtr>()) return *named;
-    if (in.peek().kind != TokenKind::word || in.peek().symbol || !isObjectKeyword(in.peek().text)) return nullptr;
+    if (in.peek().kind != TokenKind::word || in.peek().symbol || !isObjectKeyword(in.peek().text))
+        return nullptr;
     const Token keyword = in.next();
     if (++objects_ > in.environment().limits.objects)
-        in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects), keyword.span);
+        in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects),
+                keyword.span);
     auto made = std::make_shared<Object>();
     if (keyword.text == "object") {
         in.expect('{');
@@ -202,7 +206,8 @@ PolygonShape Parser::polygon(Interpreter& in) {
 
 void Parser::modifiers(Interpreter& in, Object& object) {
     while (!in.accept('}'))
-        if (!modifier(in, object)) in.failExpected("a modifier of an object, such as texture or translate, or '}'");
+        if (!modifier(in, object))
+            in.failExpected("a modifier of an object, such as texture or translate, or '}'");
 }
 
 bool Parser::modifier(Interpreter& in, Object& object) {
@@ -268,14 +273,15 @@ bool Parser::modifier(Interpreter& in, Object& object) {
         const std::string word(in.next().text);
         if (!optionalFlag(in)) return true;
         object.isHidden |= word == "no_image";
-        if (word != "inverse" || !std::holds_alternative<ExactShape>(object.shape)) object.ignored.push_back(word);
+        if (word != "inverse" || !std::holds_alternative<ExactShape>(object.shape))
+            object.ignored.push_back(word);
     } else if (w == "open") {
         in.next();
         const bool isOpen = optionalFlag(in);
         if (auto* cone = std::get_if<ConeShape>(&object.shape)) cone->open = isOpen;
-    } else if (w == "hollow" || w == "sturm" || w == "hierarchy" || w == "split_union" || w == "no_radiosity" ||
-               w == "uv_mapping" || w == "cutaway_textures" || w == "water_level" || w == "smooth" ||
-               w == "collect" || w == "pass_through") {
+    } else if (w == "hollow" || w == "sturm" || w == "hierarchy" || w == "split_union" ||
+               w == "no_radiosity" || w == "uv_mapping" || w == "cutaway_textures" || w == "water_level" ||
+               w == "smooth" || w == "collect" || w == "pass_through") {
         in.next();
         optionalFlag(in);
     } else if (w == "uv_vectors") {

@@ -11,12 +11,13 @@ namespace yarte::convert::povray::sdl {
 namespace {
 
 constexpr std::string_view patterns[] = {
-    "agate",      "aoi",        "average",   "boxed",    "bozo",          "brick",          "bumps",     "cells",
-    "checker",    "crackle",    "cubic",     "cylindrical", "density_file", "dents",        "facets",    "fractal",
-    "function",   "gradient",   "granite",   "hexagon",  "image_map",     "image_pattern",  "julia",     "leopard",
-    "magnet",     "mandel",     "marble",    "object",   "onion",         "pavement",       "pigment_pattern", "planar",
-    "proximity",  "quilted",    "radial",    "ripples",  "slope",         "spherical",      "spiral1",   "spiral2",
-    "spotted",    "square",     "tiling",    "triangular", "waves",       "wood",           "wrinkles",  "bump_map",
+    "agate",         "aoi",        "average",         "boxed",    "bozo",        "brick",        "bumps",
+    "cells",         "checker",    "crackle",         "cubic",    "cylindrical", "density_file", "dents",
+    "facets",        "fractal",    "function",        "gradient", "granite",     "hexagon",      "image_map",
+    "image_pattern", "julia",      "leopard",         "magnet",   "mandel",      "marble",       "object",
+    "onion",         "pavement",   "pigment_pattern", "planar",   "proximity",   "quilted",      "radial",
+    "ripples",       "slope",      "spherical",       "spiral1",  "spiral2",     "spotted",      "square",
+    "tiling",        "triangular", "waves",           "wood",     "wrinkles",    "bump_map",
 };
 
 bool isPattern(const Token& token) {
@@ -347,12 +348,14 @@ void Parser::interior(Interpreter& in, Interior& interior) {
             interior = **named;
         } else if (in.accept("ior")) {
             interior.index = in.number();
-        } else if (in.peek().isWord("media") || in.peek().isWord("fade_distance") || in.peek().isWord("dispersion")) {
+        } else if (in.peek().isWord("media") || in.peek().isWord("fade_distance") ||
+                   in.peek().isWord("dispersion")) {
             interior.ignored.emplace_back(in.peek().text);
             skipItem(in);
             if (in.peek().is('{')) skipItem(in);
         } else {
-            skipItem(in); // caustics, fade_power, fade_colour, dispersion_samples: of photons and of the above
+            skipItem(
+                in); // caustics, fade_power, fade_colour, dispersion_samples: of photons and of the above
         }
     }
 }

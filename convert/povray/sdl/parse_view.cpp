@@ -10,14 +10,14 @@
 namespace yarte::convert::povray::sdl {
 namespace {
 
-constexpr std::string_view cameraKinds[] = {"perspective",      "orthographic", "fisheye",     "ultra_wide_angle",
-                                            "omnimax",          "panoramic",    "spherical",   "cylinder",
-                                            "mesh_camera"};
+constexpr std::string_view cameraKinds[] = {"perspective",      "orthographic", "fisheye",
+                                            "ultra_wide_angle", "omnimax",      "panoramic",
+                                            "spherical",        "cylinder",     "mesh_camera"};
 
 } // namespace
 
-/// The opening brace comes next. What is written is taken in POV-Ray's order: vectors, then angle, then look_at,
-/// then transformations.
+/// The opening brace comes next. What is written is taken in POV-Ray's order: vectors, then angle, then
+/// look_at, then transformations.
 CameraModel Parser::camera(Interpreter& in, Span span) {
     const Interpreter::Nested nested(in);
     in.expect('{');
@@ -59,7 +59,8 @@ CameraModel Parser::camera(Interpreter& in, Span span) {
         } else if (word.text == "angle") {
             const Span where = in.peek().span;
             angle = in.number();
-            if (!(*angle > 0 && *angle <= 360)) in.fail("sdl.angle", "the angle must be between 0 and 360", where);
+            if (!(*angle > 0 && *angle <= 360))
+                in.fail("sdl.angle", "the angle must be between 0 and 360", where);
             if (in.accept(',')) in.number();
         } else if (word.text == "aperture" || word.text == "normal") {
             camera.ignored.emplace_back(word.text);
@@ -81,10 +82,12 @@ CameraModel Parser::camera(Interpreter& in, Span span) {
         }
     }
     if (angle && camera.kind == "perspective" && *angle < 180)
-        camera.direction = camera.direction * (length(camera.right) / 2 /
-                                               std::tan(*angle * std::numbers::pi / 360) / length(camera.direction));
+        camera.direction =
+            camera.direction *
+            (length(camera.right) / 2 / std::tan(*angle * std::numbers::pi / 360) / length(camera.direction));
     if (target) {
-        const double direction = length(camera.direction), right = length(camera.right), up = length(camera.up);
+        const double direction = length(camera.direction), right = length(camera.right),
+                     up = length(camera.up);
         const double side = dot(cross(camera.up, camera.direction), camera.right); // > 0: left-handed
         const Vec3 forward = *target - camera.location;
         if (length(forward) > 0) {
@@ -157,7 +160,8 @@ void Parser::globalSettings(Interpreter& in) {
     in.expect('{');
     while (!in.accept('}')) {
         const Token word = in.next();
-        if (word.kind == TokenKind::end) in.fail("sdl.no-brace", "global_settings has no closing brace", word.span);
+        if (word.kind == TokenKind::end)
+            in.fail("sdl.no-brace", "global_settings has no closing brace", word.span);
         if (word.text == "ambient_light") {
             const Rgbft c = in.colour();
             model_.ambientLight = {c.r, c.g, c.b};

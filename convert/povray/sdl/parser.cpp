@@ -10,7 +10,10 @@
 namespace yarte::convert::povray::sdl {
 namespace {
 
-template <typename T> Value shared(T value) { return std::make_shared<const T>(std::move(value)); }
+template <typename T>
+Value shared(T value) {
+    return std::make_shared<const T>(std::move(value));
+}
 
 /// Statements of the scene that YARTE has no part for.
 bool isDropped(std::string_view word) {
@@ -74,8 +77,8 @@ std::optional<Value> Parser::value(Interpreter& in) {
         in.next();
         return shared(textureMap(in));
     }
-    for (const std::string_view kind : {"normal", "media", "density", "fog", "rainbow", "sky_sphere", "normal_map",
-                                        "slope_map", "density_map", "warp", "photons"})
+    for (const std::string_view kind : {"normal", "media", "density", "fog", "rainbow", "sky_sphere",
+                                        "normal_map", "slope_map", "density_map", "warp", "photons"})
         if (w == kind) {
             in.next();
             in.skipBraces();
@@ -97,7 +100,8 @@ void Parser::defaults(Interpreter& in) {
             in.skipBraces();
         } else {
             const Token word = in.next(); // normal, radiosity
-            if (word.kind != TokenKind::word) in.fail("sdl.unexpected", "expected texture, pigment or finish", word.span);
+            if (word.kind != TokenKind::word)
+                in.fail("sdl.unexpected", "expected texture, pigment or finish", word.span);
             in.skipBraces();
         }
     }

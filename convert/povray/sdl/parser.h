@@ -67,7 +67,8 @@ private:
     std::size_t objects_ = 0; ///< made so far, in unions and declarations, too
     std::size_t bodies_ = 0;  ///< objects of the scene that are no lights
     bool hasUnit_ = false;    ///< a known macro has been met, with model_.unit
-    std::map<const Array*, MeshId> exactMeshes_; ///< by their array of vertices, which lives as long as its name
+    std::map<const Array*, MeshId>
+        exactMeshes_; ///< by their array of vertices, which lives as long as its name
 };
 
 /// A transformation (translate, rotate, scale, matrix, transform), if one comes next: read.

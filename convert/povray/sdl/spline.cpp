@@ -107,8 +107,7 @@ Vector evaluate(const Spline& spline, double at, SplineKind kind) {
     const auto next = std::ranges::upper_bound(p, at, {}, &Spline::Point::at);
     const std::size_t i = static_cast<std::size_t>(next - p.begin()) - 1;
     Vector result{size, {}};
-    for (std::size_t c = 0; c < static_cast<std::size_t>(size); ++c)
-        switch (kind) {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(size); ++c) switch (kind) {
         case SplineKind::linear: result.at[c] = linear(p, i, c, at); break;
         case SplineKind::quadratic: result.at[c] = quadratic(p, i, c, at); break;
         case SplineKind::natural: result.at[c] = natural(p, i, c, at); break;

@@ -19,9 +19,9 @@ std::string printed(double value, int width, int precision) {
     std::string format = width < 0 ? "%0*" : "%*";
     format += precision < 0 ? "f" : ".*f";
     char text[2400]; // 309 digits before the point, 1000 after it, 1000 of filling
-    const int size = precision < 0
-                         ? std::snprintf(text, sizeof text, format.c_str(), std::abs(width), value)
-                         : std::snprintf(text, sizeof text, format.c_str(), std::abs(width), precision, value);
+    const int size =
+        precision < 0 ? std::snprintf(text, sizeof text, format.c_str(), std::abs(width), value)
+                      : std::snprintf(text, sizeof text, format.c_str(), std::abs(width), precision, value);
     return std::string(text, static_cast<std::size_t>(std::max(size, 0)));
 }
 
@@ -68,7 +68,8 @@ std::string substr(Interpreter& in, const Token& name) {
     const int position = in.integer();
     in.comma();
     const int size = in.integer();
-    if (position < 1 || size < 0 || static_cast<std::size_t>(position) + static_cast<std::size_t>(size) > text.size() + 1)
+    if (position < 1 || size < 0 ||
+        static_cast<std::size_t>(position) + static_cast<std::size_t>(size) > text.size() + 1)
         in.fail("sdl.arguments", fmt::format("substr: the string has {} characters", text.size()), name.span);
     return text.substr(static_cast<std::size_t>(position - 1), static_cast<std::size_t>(size));
 }

@@ -1,5 +1,5 @@
-// Symbols: the names of an SDL program. Every included file and every macro's run has names of its own (#local);
-// a name is looked for from the innermost outwards, through all that are running.
+// Symbols: the names of an SDL program. Every included file and every macro's run has names of its own
+// (#local); a name is looked for from the innermost outwards, through all that are running.
 #pragma once
 
 #include "convert/povray/sdl/value.h"

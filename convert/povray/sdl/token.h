@@ -29,7 +29,8 @@ struct Token {
     double number = 0;
     std::string_view text{};
     Span span{};
-    /// What a word named when it was read: the end of a macro may come, and take its names, before it is used.
+    /// What a word named when it was read: the end of a macro may come, and take its names, before it is
+    /// used.
     std::shared_ptr<Symbol> symbol{};
 
     bool is(char m) const { return kind == TokenKind::punctuation && mark == m; }

@@ -12,7 +12,8 @@
 
 namespace yarte::convert::povray::sdl {
 
-/// A number (one component), a vector of two to five, or a colour: five, as red, green, blue, filter, transmit.
+/// A number (one component), a vector of two to five, or a colour: five, as red, green, blue, filter,
+/// transmit.
 struct Vector {
     int size = 1;
     std::array<double, 5> at{};
@@ -44,14 +45,15 @@ struct OpaqueValue {
     std::string kind;
 };
 
-template <typename T> using Shared = std::shared_ptr<const T>;
+template <typename T>
+using Shared = std::shared_ptr<const T>;
 using ArrayPtr = std::shared_ptr<Array>;
 
 /// monostate: named, but without a value yet. What is large is shared, so that arrays of numbers stay small.
-using Value = std::variant<std::monostate, Vector, std::string, ArrayPtr, Shared<Function>, Shared<Spline>, ObjectPtr,
-                           Shared<Layers>, Shared<Pigment>, Shared<Finish>, Shared<Interior>, Shared<Appearance>,
-                           Shared<Affine>, Shared<CameraModel>, Shared<ColourMap>, Shared<TextureMap>,
-                           Shared<OpaqueValue>>;
+using Value = std::variant<std::monostate, Vector, std::string, ArrayPtr, Shared<Function>, Shared<Spline>,
+                           ObjectPtr, Shared<Layers>, Shared<Pigment>, Shared<Finish>, Shared<Interior>,
+                           Shared<Appearance>, Shared<Affine>, Shared<CameraModel>, Shared<ColourMap>,
+                           Shared<TextureMap>, Shared<OpaqueValue>>;
 
 /// "a number", "a vector of 3", "a string", "an object", ...
 std::string kindOf(const Value&);
@@ -67,13 +69,13 @@ struct Macro {
     std::string name;
     std::vector<std::string> parameters;
     SourceId source;
-    std::size_t body = 0; ///< offset of what follows the parameters
+    std::size_t body = 0;  ///< offset of what follows the parameters
     std::string_view text; ///< from '#macro' up to the matching '#end', inclusive
     Span span;             ///< of its name
 };
 
-/// A name and what it stands for. Shared: a macro's parameter is the argument's own symbol where the argument is
-/// just a name, so that assigning to it assigns there.
+/// A name and what it stands for. Shared: a macro's parameter is the argument's own symbol where the argument
+/// is just a name, so that assigning to it assigns there.
 struct Symbol {
     std::string name;
     std::variant<Value, std::shared_ptr<const Macro>> content;

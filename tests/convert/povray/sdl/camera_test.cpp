@@ -59,7 +59,8 @@ TEST(SdlCamera, IsPovraysDefaultIfThereIsNone) {
     const BuiltScene built(m);
     EXPECT_EQ(built.scene->camera.position, Vec3());
     EXPECT_EQ(built.scene->camera.focus, (Vec3{0, 0, -1})); // left-handed: mirrored
-    EXPECT_NEAR(built.scene->camera.horizontalApertureDegrees, std::atan(1.33 / 2) * 180 / std::numbers::pi, 1e-12);
+    EXPECT_NEAR(built.scene->camera.horizontalApertureDegrees, std::atan(1.33 / 2) * 180 / std::numbers::pi,
+                1e-12);
     EXPECT_NEAR(built.scene->camera.verticalApertureDegrees, 26.56505117707799, 1e-12);
     EXPECT_TRUE(built.ledger.wasAdded("camera"));
 }

@@ -54,7 +54,8 @@ TEST(SdlLanguage, LocalNamesEndWithTheirMacro) {
 
 TEST(SdlLanguage, ADeclarationIsNotObeyedBeforeTheOneInFrontOfIt) {
     EXPECT_EQ(printedBy("#declare A = 1 #declare B = A + 1 #declare C = B #debug str(C, 0, 0)"), "2");
-    const SdlRun run("#declare T = texture { pigment { rgb 1 } } #declare U = texture { T } sphere { 0, 1 texture { U } }");
+    const SdlRun run("#declare T = texture { pigment { rgb 1 } } #declare U = texture { T } sphere { 0, 1 "
+                     "texture { U } }");
     EXPECT_TRUE(run.model) << run.problems();
 }
 
@@ -82,7 +83,8 @@ TEST(SdlLanguage, FunctionsKeepWhatTheyWereMadeOf) {
 }
 
 TEST(SdlLanguage, VectorsNeedNoCommas) {
-    const SdlRun run("triangle { <0, 2, 0> <0, 0, -1> <1, 0, 0> } cone { <0 0 0> 1 <1 1 1> 2 } sphere { <1 -1 2>, 1 }");
+    const SdlRun run(
+        "triangle { <0, 2, 0> <0, 0, -1> <1, 0, 0> } cone { <0 0 0> 1 <1 1 1> 2 } sphere { <1 -1 2>, 1 }");
     ASSERT_TRUE(run.model) << run.problems();
     ASSERT_EQ(run.model->objects.size(), 3u);
     // "1 -1" is a subtraction.
@@ -98,7 +100,8 @@ TEST(SdlLanguage, TransformationsComposeInTheirOrder) {
 }
 
 TEST(SdlLanguage, WhatHasNoShapeIsLeftOutWithItsName) {
-    const SdlRun run("difference { sphere { 0, 1 } box { -1, 1 translate x } pigment { rgb 1 } } sphere { 0, 1 }");
+    const SdlRun run(
+        "difference { sphere { 0, 1 } box { -1, 1 translate x } pigment { rgb 1 } } sphere { 0, 1 }");
     ASSERT_TRUE(run.model) << run.problems();
     EXPECT_EQ(std::get<UnsupportedShape>(run.model->objects[0]->shape).kind, "difference");
 }
@@ -121,27 +124,29 @@ TEST_P(SdlBad, IsToldWithItsPlace) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SdlBad,
-    testing::Values(
-        Bad{"String", "#declare A = \"abc", "sdl.unterminated-string", "no closing quote"},
-        Bad{"Comment", "sphere { /* 0, 1 }", "sdl.unterminated-comment", "no end"},
-        Bad{"Include", "#include \"not_there.inc\"", "sdl.include-missing", "not_there.inc"},
-        Bad{"Recursion", "#macro M() M() #end M()", "sdl.recursion", "in macro M, called here"},
-        Bad{"Argument", "#macro M(A) M(M(A)) #end M(1)", "sdl.", "scene.pov"},
-        Bad{"Loop", "#while (1) #end", "sdl.runs-too-long", "200000"},
-        Bad{"NoEnd", "#if (1) sphere { 0, 1 }", "sdl.no-end", "no #end"},
-        Bad{"Nesting", "#macro M(N) (M(N)) #end #declare A = M(1);", "sdl.", "scene.pov"},
-        Bad{"Type", "sphere { \"a\", 1 }", "sdl.unexpected", "expected a number or a vector, found a string"},
-        Bad{"Undeclared", "sphere { Nowhere, 1 }", "sdl.undeclared", "'Nowhere' is not declared"},
-        Bad{"Index", "#declare A = array[2]; #declare A[2] = 1;", "sdl.index", "index 2 of 'A', which has 2 elements"},
-        Bad{"Array", "#declare A = array[1e9];", "sdl.array", "1000000000"},
-        Bad{"Arguments", "#macro M(A, B) #end M(1)", "sdl.arguments", "takes 2 arguments, not 1"},
-        Bad{"Reserved", "#declare sphere = 1;", "sdl.reserved", "'sphere'"},
-        Bad{"Brace", "union { sphere { 0, 1 }", "sdl.unexpected", "found the end of the file"},
-        Bad{"Error", "#error concat(\"stop\", \" it\")", "sdl.error-directive", "stop it"},
-        Bad{"Write", "#fopen F \"x\" write", "sdl.file-access", "refused"},
-        Bad{"Directive", "#decalre A = 1;", "sdl.directive", "#decalre"},
-        Bad{"Mesh", "mesh2 { vertex_vectors { 1, x } face_indices { 1, <0, 0, 1> } }", "sdl.mesh", "index 1 of 1 vertices"},
-        Bad{"Character", "sphere { 0, 1 } \\", "sdl.character", "'\\'"}),
+    testing::Values(Bad{"String", "#declare A = \"abc", "sdl.unterminated-string", "no closing quote"},
+                    Bad{"Comment", "sphere { /* 0, 1 }", "sdl.unterminated-comment", "no end"},
+                    Bad{"Include", "#include \"not_there.inc\"", "sdl.include-missing", "not_there.inc"},
+                    Bad{"Recursion", "#macro M() M() #end M()", "sdl.recursion", "in macro M, called here"},
+                    Bad{"Argument", "#macro M(A) M(M(A)) #end M(1)", "sdl.", "scene.pov"},
+                    Bad{"Loop", "#while (1) #end", "sdl.runs-too-long", "200000"},
+                    Bad{"NoEnd", "#if (1) sphere { 0, 1 }", "sdl.no-end", "no #end"},
+                    Bad{"Nesting", "#macro M(N) (M(N)) #end #declare A = M(1);", "sdl.", "scene.pov"},
+                    Bad{"Type", "sphere { \"a\", 1 }", "sdl.unexpected",
+                        "expected a number or a vector, found a string"},
+                    Bad{"Undeclared", "sphere { Nowhere, 1 }", "sdl.undeclared", "'Nowhere' is not declared"},
+                    Bad{"Index", "#declare A = array[2]; #declare A[2] = 1;", "sdl.index",
+                        "index 2 of 'A', which has 2 elements"},
+                    Bad{"Array", "#declare A = array[1e9];", "sdl.array", "1000000000"},
+                    Bad{"Arguments", "#macro M(A, B) #end M(1)", "sdl.arguments", "takes 2 arguments, not 1"},
+                    Bad{"Reserved", "#declare sphere = 1;", "sdl.reserved", "'sphere'"},
+                    Bad{"Brace", "union { sphere { 0, 1 }", "sdl.unexpected", "found the end of the file"},
+                    Bad{"Error", "#error concat(\"stop\", \" it\")", "sdl.error-directive", "stop it"},
+                    Bad{"Write", "#fopen F \"x\" write", "sdl.file-access", "refused"},
+                    Bad{"Directive", "#decalre A = 1;", "sdl.directive", "#decalre"},
+                    Bad{"Mesh", "mesh2 { vertex_vectors { 1, x } face_indices { 1, <0, 0, 1> } }", "sdl.mesh",
+                        "index 1 of 1 vertices"},
+                    Bad{"Character", "sphere { 0, 1 } \\", "sdl.character", "'\\'"}),
     [](const auto& tested) { return tested.param.name; });
 
 TEST(SdlBad, ManyOpenParenthesesAreRefused) {

@@ -1,6 +1,6 @@
 // YARTE -> POV-Ray -> YARTE is the identical canonical text, for our scenes and for random ones.
-#include "tests/convert/support.h"
 #include "tests/convert/round_trip.h"
+#include "tests/convert/support.h"
 #include "tests/lang/random_scene.h"
 
 #include "convert/povray/sdl/read.h"

@@ -17,13 +17,16 @@ struct SdlRun {
     std::vector<std::string> reported;
     std::optional<Model> model;
 
-    explicit SdlRun(const std::string& text, const std::filesystem::path& file = "scene.pov", const Limits& limits = {}) {
+    explicit SdlRun(const std::string& text, const std::filesystem::path& file = "scene.pov",
+                    const Limits& limits = {}) {
         Parser parser;
         Environment environment{.sources = sources, .diagnostics = diagnostics, .readable = {}};
         environment.library = {"/usr/share/povray-3.7/include"};
         environment.limits = limits;
         environment.debug = [this](const std::string& s) { printed += s; };
-        environment.report = [this](Span, const std::string& what, const std::string&) { reported.push_back(what); };
+        environment.report = [this](Span, const std::string& what, const std::string&) {
+            reported.push_back(what);
+        };
         Interpreter in(environment, parser, sources.add(file.string(), text), file);
         try {
             model = parser.parse(in);
