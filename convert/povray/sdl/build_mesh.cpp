@@ -1,6 +1,7 @@
 #include "convert/povray/sdl/build_mesh.h"
 
 #include "convert/povray/sdl/stretch.h"
+#include "yarte/base/huge_pages.h"
 
 #include <algorithm>
 #include <functional>
@@ -26,8 +27,8 @@ public:
                                ? mesh.faces.size()
                                : static_cast<std::size_t>(std::ranges::count(mesh.faceTextures, texture));
         isSmooth_ = !mesh.faceNormals.empty();
-        data_.corners.reserve(3 * count), data_.faceStarts.reserve(count + 1);
-        if (isSmooth_) data_.cornerNormals.reserve(3 * count);
+        reserveWhole(data_.corners, 3 * count), reserveWhole(data_.faceStarts, count + 1);
+        if (isSmooth_) reserveWhole(data_.cornerNormals, 3 * count);
         for (std::size_t f = 0; f < mesh.faces.size(); ++f)
             if (isTaken(f)) add(f);
         data_.vertices = chosen(mesh.vertices, data_.corners, takesAll);
@@ -59,8 +60,12 @@ private:
     /// All of them, or those that `indices` name, which then name them in the result.
     static std::vector<Vec3> chosen(const std::vector<Vec3>& from, std::vector<std::uint32_t>& indices,
                                     bool all) {
-        if (all) return from;
         std::vector<Vec3> result;
+        if (all) {
+            reserveWhole(result, from.size());
+            result = from;
+            return result;
+        }
         std::vector<std::uint32_t> places(from.size(), MeshShape::none);
         for (std::uint32_t& i : indices) {
             if (places[i] == MeshShape::none) {

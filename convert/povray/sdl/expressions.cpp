@@ -80,6 +80,20 @@ Vec3 Interpreter::vector3() {
     return v.promoted(3).vec3();
 }
 
+Vec3 Interpreter::listedPoint() {
+    if (ahead_.empty()) {
+        Lexer& lexer = frame().lexer;
+        const std::size_t begin = lexer.offset();
+        if (const auto literal = lexer.literalVector()) {
+            if (lexer.skip(',')) return *literal;
+            lexer.seek(begin);
+        }
+    }
+    const Vec3 result = point();
+    comma();
+    return result;
+}
+
 Vec3 Interpreter::point() {
     if (ahead_.empty()) {
         if (const auto literal = frame().lexer.literalVector()) {

@@ -83,6 +83,10 @@ public:
     void skipBraces() { expect('{'), skipBlock(); }
     /// The raw lexer's way for the many vectors of a mesh, where no token has been looked at.
     Vec3 point();
+    /// A point of a list, and the comma that may follow it.
+    Vec3 listedPoint();
+    /// Whether the next point of a list follows, as point() would see it.
+    bool isAtListedPoint() { return ahead_.empty() && frame().lexer.isAt('<'); }
 
     // Expressions
     /// A number, vector or colour. Comparisons are part of it; in all those below they need parentheses, as

@@ -33,6 +33,17 @@ public:
     /// If "<number, number, number>" comes next, that, and moves past it; else nothing, and stays. Commas are
     /// optional. This is most of a mesh's text, and read ten times faster than through tokens.
     std::optional<Vec3> literalVector();
+    /// Without reading it: whether `mark` comes next.
+    bool isAt(char mark) {
+        skipBlanks();
+        return at_ < text_.size() && text_[at_] == mark;
+    }
+    /// Moves past `mark` if it comes next.
+    bool skip(char mark) {
+        const bool is = isAt(mark);
+        at_ += is ? 1 : 0;
+        return is;
+    }
 
 private:
     void skipBlanks();

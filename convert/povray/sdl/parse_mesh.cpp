@@ -2,6 +2,8 @@
 
 #include "convert/povray/sdl/parser.h"
 
+#include "yarte/base/huge_pages.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -24,18 +26,16 @@ std::size_t toReserve(std::size_t count) { return std::min<std::size_t>(count, 1
 std::vector<Vec3> vectors(Interpreter& in) {
     std::vector<Vec3> list;
     const std::size_t count = listSize(in);
-    list.reserve(toReserve(count));
-    for (std::size_t i = 0; i < count; ++i) {
-        list.push_back(in.point());
-        in.comma();
-    }
+    reserveWhole(list, toReserve(count));
+    for (std::size_t i = 0; i < count; ++i) list.push_back(in.listedPoint());
     in.expect('}');
     return list;
 }
 
+/// Three, and the comma that may follow them.
 MeshShape::Indices indices(Interpreter& in, std::size_t count, const char* of) {
     const Span where = in.peekSpan();
-    const Vec3 v = in.point();
+    const Vec3 v = in.listedPoint();
     const auto index = [&](double d) {
         if (!(d >= 0 && d < static_cast<double>(count)))
             in.fail("sdl.mesh", fmt::format("index {} of {} {}", d, count, of), where);
@@ -69,14 +69,15 @@ MeshShape Parser::mesh2(Interpreter& in) {
             in.expect('}');
         } else if (in.accept("face_indices")) {
             const std::size_t count = listSize(in);
-            mesh.faces.reserve(toReserve(count));
+            reserveWhole(mesh.faces, toReserve(count));
             for (std::size_t i = 0; i < count; ++i) {
                 mesh.faces.push_back(indices(in, mesh.vertices.size(), "vertices"));
                 // A texture for the face, or one for each corner: the first stands for all.
                 bool hasTexture = false;
-                for (int t = 0; in.accept(',') && in.peek().kind == TokenKind::number && t < 3; ++t) {
+                for (int t = 0; t < 3 && !in.isAtListedPoint() && in.peek().kind == TokenKind::number; ++t) {
                     const Span where = in.peek().span;
                     const int texture = in.integer();
+                    in.comma();
                     if (texture < 0 || static_cast<std::size_t>(texture) >= mesh.textures.size())
                         in.fail("sdl.mesh", fmt::format("texture {} of {}", texture, mesh.textures.size()),
                                 where);
@@ -87,15 +88,12 @@ MeshShape Parser::mesh2(Interpreter& in) {
                 }
             }
             if (!mesh.faceTextures.empty()) mesh.faceTextures.resize(mesh.faces.size(), MeshShape::none);
-            in.accept(',');
             in.expect('}');
         } else if (in.accept("normal_indices")) {
             const std::size_t count = listSize(in);
-            mesh.faceNormals.reserve(toReserve(count));
-            for (std::size_t i = 0; i < count; ++i) {
+            reserveWhole(mesh.faceNormals, toReserve(count));
+            for (std::size_t i = 0; i < count; ++i)
                 mesh.faceNormals.push_back(indices(in, mesh.normals.size(), "normals"));
-                in.comma();
-            }
             in.expect('}');
         } else if (in.accept("inside_vector")) {
             in.vector3();

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# read_memory_test.sh SOURCES GLTF_READ FOLDER: reading a .glb takes at most five times the memory that the file has bytes.
+# read_memory_test.sh SOURCES READ_ALONE FOLDER: reading a .glb takes at most five times the memory that the file has bytes.
 set -euo pipefail
 sources=$1 read=$2 folder=$3
 mkdir -p "$folder"

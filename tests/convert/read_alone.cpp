@@ -1,8 +1,8 @@
-// gltf_read mesh|scene FILE: reads a glTF file as the `mesh` directive does, or as a whole scene, and nothing
-// else. Prints the seconds from opening the file to the finished scene, and the process's peak of memory in
-// MB.
+// read_alone mesh|scene FILE: reads a glTF file as the `mesh` directive does, or a file of any format as a
+// scene, and nothing else. Prints the seconds from opening the file to the finished scene, and the process's
+// peak of memory in MB.
+#include "convert/format.h"
 #include "convert/gltf/mesh_reader.h"
-#include "convert/gltf/read.h"
 
 #include <fmt/format.h>
 
@@ -24,10 +24,12 @@ std::size_t readAs(std::string_view what, const std::filesystem::path& file) {
         const auto mesh = convert::gltf::readMesh(file, {}, sources, diagnostics);
         return mesh ? mesh->faceCount() : 0;
     }
+    const convert::Format* format = convert::formatOf(file);
+    if (!format || !format->read) return 0;
     convert::Ledger ledger;
     convert::Conversion c{
         {sources.add(file.string(), readFile(file)), file, {}}, {}, {}, sources, diagnostics, ledger};
-    const auto scene = convert::gltf::readScene(c);
+    const auto scene = format->read(c);
     std::size_t count = 0;
     if (scene)
         for (const MeshData& mesh : scene->meshes) count += mesh.faceCount();
