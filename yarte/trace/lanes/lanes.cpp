@@ -15,8 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
-void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
-    WhittedLanes(world, counts).render(tile, pixels, stride);
+void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, Workspace& memory,
+                RayCounts& counts) {
+    WhittedLanes(world, memory, counts).render(tile, pixels, stride);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE
@@ -28,7 +29,8 @@ namespace yarte::trace {
 HWY_EXPORT(renderTile);
 
 void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(renderTile)(world, tile, pixels, stride, counts);
+    thread_local Workspace memory;
+    HWY_DYNAMIC_DISPATCH(renderTile)(world, tile, pixels, stride, memory, counts);
 }
 
 std::vector<std::string> laneTargets() {

@@ -2,6 +2,7 @@
 // straight from it.
 #pragma once
 
+#include "yarte/base/colour.h"
 #include "yarte/trace/lanes/media_pool.h"
 #include "yarte/trace/ray.h"
 
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace yarte::trace {
 
@@ -58,6 +60,13 @@ private:
     static constexpr std::size_t slack = 64;
     hwy::AlignedFreeUniquePtr<double[]> data_;
     std::size_t capacity_ = 0, size_ = 0;
+};
+
+/// What the tracing of a tile needs of memory, for the next tile to use again: given back in between, the
+/// system would clear and hand out the same pages for every tile, which took longer than the tracing.
+struct Workspace {
+    std::vector<Colour> sums; ///< of a block's pixels
+    RayQueue current, reflected, transmitted;
 };
 
 } // namespace yarte::trace

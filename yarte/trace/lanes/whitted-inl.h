@@ -15,7 +15,9 @@ namespace yarte::trace::HWY_NAMESPACE {
 
 class WhittedLanes {
 public:
-    WhittedLanes(const World& world, RayCounts& counts) : world_(world), counts_(counts), media_(world) {}
+    WhittedLanes(const World& world, Workspace& memory, RayCounts& counts)
+        : world_(world), counts_(counts), media_(world), sums_(memory.sums), current_(memory.current),
+          reflected_(memory.reflected), transmitted_(memory.transmitted) {}
 
     void render(Tile tile, Colour* pixels, std::size_t stride) {
         // Small enough for the queues of deep recursions to stay in the cache.
@@ -190,8 +192,8 @@ private:
     const World& world_;
     RayCounts& counts_;
     MediaPool media_;
-    std::vector<Colour> sums_; ///< of the block's pixels
-    RayQueue current_, reflected_, transmitted_;
+    std::vector<Colour>& sums_; ///< of the block's pixels
+    RayQueue &current_, &reflected_, &transmitted_;
 };
 } // namespace yarte::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
