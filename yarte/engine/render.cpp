@@ -17,19 +17,24 @@ int availableCores() {
     return static_cast<int>(std::max(1L, sysconf(_SC_NPROCESSORS_ONLN)));
 }
 
-bool RenderJob::renderNext(int worker) const {
+bool RenderJob::renderNext(int worker, std::vector<Colour>& pixels) const {
     const std::optional<std::size_t> index = queue.claim(worker);
     if (!index) return false;
     const Tile tile = queue.tiles()[*index];
     RayCounts rays;
-    renderTile(tile, framebuffer.at(tile), framebuffer.stride(), rays);
+    const auto width = static_cast<std::size_t>(tile.width());
+    pixels.resize(width * static_cast<std::size_t>(tile.height()));
+    renderTile(tile, pixels.data(), width, rays);
+    framebuffer.put(tile, pixels.data());
     queue.finish(*index, rays);
     return true;
 }
 
 std::optional<Rendering> render(const RenderOptions& options, const TileFunction& renderTile,
                                 const ProgressFunction& progress) {
-    Framebuffer framebuffer(options.region);
+    using enum Framebuffer::Renderers;
+    Framebuffer framebuffer(options.region, options.tileSide,
+                            options.mode == RenderMode::processes ? processes : threads);
     TileQueue queue(TileList(options.region, options.tileSide));
     const RenderJob job{renderTile, progress, queue, framebuffer};
     int workers = static_cast<int>(std::min(static_cast<std::size_t>(options.workers), queue.tiles().size()));
@@ -43,6 +48,7 @@ std::optional<Rendering> render(const RenderOptions& options, const TileFunction
     case RenderMode::threads: finished = renderInThreads(job, workers); break;
     }
     if (!finished) return std::nullopt;
+    framebuffer.gather();
     return Rendering{std::move(framebuffer), queue.rays(), workers};
 }
 

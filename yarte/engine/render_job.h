@@ -5,6 +5,7 @@
 #include "yarte/engine/tile_queue.h"
 
 #include <chrono>
+#include <vector>
 
 namespace yarte {
 
@@ -18,8 +19,9 @@ struct RenderJob {
     TileQueue& queue;
     Framebuffer& framebuffer;
 
-    /// Renders one more tile as `worker`; false if none waits.
-    bool renderNext(int worker) const;
+    /// Renders one more tile as `worker`; false if none waits. `pixels` is the worker's own, kept between
+    /// calls.
+    bool renderNext(int worker, std::vector<Colour>& pixels) const;
 
     /// Tells how far the render is; false if it must stop.
     bool report() const { return !progress || progress({queue.finishedCount(), queue.tiles().size()}); }

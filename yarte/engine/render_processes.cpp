@@ -9,7 +9,8 @@ namespace yarte {
 
 bool renderInProcesses(const RenderJob& job, int workers) {
     const auto work = [&job](int worker) {
-        while (job.renderNext(worker)) {
+        std::vector<Colour> pixels;
+        while (job.renderNext(worker, pixels)) {
         }
     };
     std::set<std::size_t> diedOnce; // tiles

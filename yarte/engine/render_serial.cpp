@@ -3,7 +3,8 @@
 namespace yarte {
 
 bool renderSerial(const RenderJob& job) {
-    while (job.renderNext(0))
+    std::vector<Colour> pixels;
+    while (job.renderNext(0, pixels))
         if (!job.report()) return false;
     return true;
 }

@@ -42,7 +42,8 @@ private:
 void work(const std::stop_token& stop, int worker, const RenderJob& job, Crew& crew) {
     std::exception_ptr failure;
     try {
-        while (!stop.stop_requested() && job.renderNext(worker)) {
+        std::vector<Colour> pixels;
+        while (!stop.stop_requested() && job.renderNext(worker, pixels)) {
         }
     } catch (...) {
         failure = std::current_exception();

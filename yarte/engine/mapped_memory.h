@@ -1,4 +1,4 @@
-// Memory that a process shares with those it forks afterwards.
+// Memory from the system in whole pages, shared with the processes forked afterwards or not.
 #pragma once
 
 #include <cstddef>
@@ -12,10 +12,13 @@ struct Unmap {
 };
 
 /// Owned by every process that has it: each unmaps its own view.
-using SharedMemory = std::unique_ptr<void, Unmap>;
+using MappedMemory = std::unique_ptr<void, Unmap>;
 
 /// `bytes` > 0 zeros, on a page boundary. Pages take up memory when they are first written. Throws
 /// std::bad_alloc.
-SharedMemory mapSharedMemory(std::size_t bytes);
+MappedMemory mapSharedMemory(std::size_t bytes);
+
+/// The same, but what is written after a fork is not shared; in huge pages where the system has them.
+MappedMemory mapPrivateMemory(std::size_t bytes);
 
 } // namespace yarte
