@@ -25,27 +25,71 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace yarte::trace {
+namespace {
 
-HWY_EXPORT(renderTile);
+/// The kernels of one instruction set.
+struct Target {
+    const char* name; ///< as Highway calls it
+    decltype(&HWY_STATIC_DISPATCH(renderTile)) render;
+    bool (*runsHere)();
+};
+
+// Highway would choose as well, but its library measures the clock when a program starts, for longer than a
+// small picture takes. What a target needs is listed in hwy/ops/set_macros-inl.h.
+#if HWY_ARCH_X86
+bool hasSse4() {
+    return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
+           __builtin_cpu_supports("aes");
+}
+bool hasAvx2() {
+    return hasSse4() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+           __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("f16c");
+}
+bool hasAvx3() {
+    return hasAvx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
+}
+#endif
+bool always() { return true; }
+
+/// Best first.
+constexpr Target targets[] = {
+#if HWY_TARGETS & HWY_AVX3
+    {"AVX3", &N_AVX3::renderTile, hasAvx3},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {"AVX2", &N_AVX2::renderTile, hasAvx2},
+#endif
+#if HWY_TARGETS & HWY_SSE4
+    {"SSE4", &N_SSE4::renderTile, hasSse4},
+#endif
+    {"baseline", &HWY_STATIC_DISPATCH(renderTile), always},
+};
+
+const Target* best() {
+    return std::ranges::find_if(targets, [](const Target& target) { return target.runsHere(); });
+}
+
+const Target* chosen = best();
+
+} // namespace
 
 void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
     thread_local Workspace memory;
-    HWY_DYNAMIC_DISPATCH(renderTile)(world, tile, pixels, stride, memory, counts);
+    chosen->render(world, tile, pixels, stride, memory, counts);
 }
 
 std::vector<std::string> laneTargets() {
-    hwy::SetSupportedTargetsForTest(0);
     std::vector<std::string> names;
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        names.push_back(hwy::TargetName(target));
+    for (const Target& target : targets)
+        if (target.runsHere()) names.emplace_back(target.name);
     return names;
 }
 
 void forceLaneTarget(const std::string& name) {
-    hwy::SetSupportedTargetsForTest(0);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets())
-        if (name == hwy::TargetName(target)) hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    chosen = best();
+    for (const Target& target : targets)
+        if (name == target.name && target.runsHere()) chosen = &target;
 }
 
 } // namespace yarte::trace

@@ -6,10 +6,10 @@
 #include "yarte/trace/lanes/media_pool.h"
 #include "yarte/trace/ray.h"
 
-#include <hwy/aligned_allocator.h>
-
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <new>
 #include <vector>
 
 namespace yarte::trace {
@@ -32,8 +32,7 @@ public:
         if (size_ + count + slack <= capacity_) return;
         const std::size_t capacity =
             std::max<std::size_t>(2 * capacity_, (size_ + count + slack + 63) / 64 * 64);
-        auto data = hwy::AllocateAligned<double>(capacity * componentCount);
-        if (!data) throw std::bad_alloc();
+        Data data(new (alignment) double[capacity * componentCount]);
         for (std::size_t c = 0; c < componentCount && size_ > 0; ++c)
             std::copy_n(data_.get() + c * capacity_, size_, data.get() + c * capacity);
         data_ = std::move(data), capacity_ = capacity;
@@ -58,7 +57,13 @@ public:
 
 private:
     static constexpr std::size_t slack = 64;
-    hwy::AlignedFreeUniquePtr<double[]> data_;
+    static constexpr std::align_val_t alignment{64}; // of the widest vectors
+    struct Free {
+        void operator()(double* data) const { ::operator delete[](data, alignment); }
+    };
+    using Data = std::unique_ptr<double[], Free>;
+
+    Data data_;
     std::size_t capacity_ = 0, size_ = 0;
 };
 
