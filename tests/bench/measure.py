@@ -1,0 +1,62 @@
+"""How ci/bench runs the programs that it compares."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+BIN = ROOT / "build/release/bin"
+READ_ALONE = ROOT / "build/release/tests/read_alone"
+CORES = len(os.sched_getaffinity(0))
+
+
+def machine():
+    """The processor and the cores that may be used."""
+    info = pathlib.Path("/proc/cpuinfo").read_text()
+    model = re.search(r"model name\s*: (.*)", info)
+    vectors = "AVX-512" if "avx512f" in info else "AVX2" if "avx2" in info else "no AVX2"
+    return f"{CORES} cores of {model[1].strip() if model else 'an unknown processor'} ({vectors})"
+
+
+def run_yarte(scene, size, processes, folder):
+    """Its statistics and its picture."""
+    stats, picture = folder / "stats.json", folder / "picture.ppm"
+    subprocess.run([BIN / "yarte", scene, "--size", size, "--processes", str(processes), "--progress", "none",
+                    "--stats", stats, "-o", picture], check=True, stderr=subprocess.DEVNULL)
+    return json.loads(stats.read_text()), picture.read_bytes()
+
+
+def run_povray(sdl, size, threads, folder):
+    """Seconds of parsing and of tracing, as it states them itself, and the peak of memory in MB."""
+    width, height = size.split("x")
+    with tempfile.TemporaryFile() as log:
+        process = subprocess.Popen(["povray", f"+I{sdl}", f"+O{folder / 'povray.ppm'}", "+FP16", f"+W{width}",
+                                    f"+H{height}", "-D", "-A", "-P", f"+WT{threads}", "+Q9", "File_Gamma=1", f"+L{sdl.parent}"],
+                                   stdout=subprocess.DEVNULL, stderr=log, cwd=folder)
+        _, status, usage = os.wait4(process.pid, 0)
+        log.seek(0)
+        text = log.read().decode(errors="replace")
+    if os.waitstatus_to_exitcode(status) != 0:
+        raise SystemExit(f"bench: povray failed on {sdl}:\n{text[-2000:]}")
+    times = {kind: float(seconds) for kind, seconds in re.findall(r"(Parse|Trace) Time:.*?\(([\d.]+) seconds\)", text)}
+    return times["Parse"], times["Trace"], usage.ru_maxrss * 1024 / 1e6
+
+
+def timed(command, folder, good=(0,)):
+    """Seconds and the peak of memory, in MB."""
+    begin = time.monotonic()
+    process = subprocess.Popen([str(word) for word in command], cwd=folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    _, status, usage = os.wait4(process.pid, 0)
+    if os.waitstatus_to_exitcode(status) not in good:
+        raise SystemExit(f"bench: {command} failed")
+    return time.monotonic() - begin, usage.ru_maxrss * 1024 / 1e6
+
+
+def read_alone(what, file):
+    """Seconds and the peak of memory, in MB."""
+    text = subprocess.run([READ_ALONE, what, file], check=True, capture_output=True, text=True).stdout
+    return tuple(map(float, text.split()))
