@@ -29,8 +29,7 @@ std::optional<Finding> globalLinearCause(const Difference& difference, const Aov
     Column picture, background;
     for (const std::size_t p : pixels) {
         picture.push_back(difference.a(p));
-        const double w = aov.backgroundWeight[p];
-        background.push_back({w, w, w});
+        background.push_back(aov.backgroundWeight[p]);
     }
     if (const Fit fit = fitGrey(difference, pixels, picture); fit.leftover <= explained)
         return Finding{Cause::brightness,
@@ -79,7 +78,7 @@ struct BodyColumns {
         reflected.emplace_back(), transmitted.emplace_back();
         for (const AovVisit& visit : visits) {
             if (visit.body != body) continue;
-            weight[visit.isBack].back() = {visit.weight, visit.weight, visit.weight};
+            weight[visit.isBack].back() = visit.weight;
             lit[visit.isBack].back() = visit.lit;
             highlight[visit.isBack].back() = visit.highlight;
             reflected.back() += visit.reflected;
@@ -119,7 +118,7 @@ Column highlights(const Aov& aov, const std::vector<std::size_t>& pixels, int bo
         Colour sum;
         if (aov.body[p] == body)
             for (const AovLight& light : aov.lights)
-                if (light.arriving[p] > 0 && light.mirror[p] > 0)
+                if (!isBlack(light.arriving[p]) && light.mirror[p] > 0)
                     sum += light.brightness *
                            (light.arriving[p] * std::pow(static_cast<double>(light.mirror[p]), exponent));
         column.push_back(sum);
@@ -182,7 +181,7 @@ std::vector<Suspicion> suspicions(const Difference& difference, const Aov& aov, 
     const auto add = [&](Cause cause, const std::string& text, Fit fit) {
         list.push_back({findingOf(cause, number, body, text), std::move(fit)});
     };
-    if (body.transmission > 0) {
+    if (!isBlack(body.transmission)) {
         Fit fit = fitOnward(difference, aov, number, c, &BodyColumns::transmitted);
         add(Cause::refraction,
             fmt::format("the transmission (ct) of the {} differs by {:+.2g}", body.name(), fit.factors[0].r),

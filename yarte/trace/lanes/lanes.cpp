@@ -16,7 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
 void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
-    WhittedLanes(world, counts).render(tile, pixels, stride);
+    if (world.isTinted)
+        WhittedLanes<true>(world, counts).render(tile, pixels, stride);
+    else
+        WhittedLanes<false>(world, counts).render(tile, pixels, stride);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE
