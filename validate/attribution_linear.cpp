@@ -158,17 +158,25 @@ ExponentFit fitExponent(const Difference& difference, const Aov& aov, int body) 
     return best;
 }
 
+/// Three factors always explain some more than one: the tint is named if they leave a good deal less.
+constexpr double muchLess = 0.5;
+
 Finding findingOf(Cause cause, int number, const AovBody& body, const std::string& text) {
     return {cause, number, {}, body.name(), body.line, text};
 }
 
-/// cr and ct are linear only in pixels that meet the body once. Such a fit, if it explains these and they are
-/// not too few; else one of all of the body's pixels, which is a first approximation.
+/// cr, ct and the tint are linear only in pixels that meet the body once. Such a fit, if it explains these
+/// and they are not too few; else one of all of the body's pixels, which is a first approximation.
+template <class FitColumn>
 Fit fitOnward(const Difference& difference, const Aov& aov, int body, const BodyColumns& all,
-              Column BodyColumns::*column) {
+              Column BodyColumns::*column, FitColumn fitted) {
     if (const BodyColumns once = metOnce(aov, body); isEnough(difference, once))
-        if (Fit fit = fitGrey(difference, once.pixels, once.*column); fit.leftover <= explained) return fit;
-    return fitGrey(difference, all.pixels, all.*column);
+        if (Fit fit = fitted(difference, once.pixels, once.*column); fit.leftover <= explained) return fit;
+    return fitted(difference, all.pixels, all.*column);
+}
+
+Fit fitTint(const Difference& difference, const std::vector<std::size_t>& pixels, const Column& column) {
+    return fitChannels(difference, pixels, {column});
 }
 
 } // namespace
@@ -182,12 +190,16 @@ std::vector<Suspicion> suspicions(const Difference& difference, const Aov& aov, 
         list.push_back({findingOf(cause, number, body, text), std::move(fit)});
     };
     if (!isBlack(body.transmission)) {
-        Fit fit = fitOnward(difference, aov, number, c, &BodyColumns::transmitted);
+        Fit fit = fitOnward(difference, aov, number, c, &BodyColumns::transmitted, fitGrey);
+        Fit tint = fitOnward(difference, aov, number, c, &BodyColumns::transmitted, fitTint);
+        const bool isTinted = fit.leftover > explained && tint.unexplained < muchLess * fit.unexplained;
         add(Cause::refraction,
-            fmt::format("the transmission (ct) of the {} differs by {:+.2g}", body.name(), fit.factors[0].r),
-            fit);
+            isTinted ? fmt::format("the tint of the {} differs", body.name())
+                     : fmt::format("the transmission (ct) of the {} differs by {:+.2g}", body.name(),
+                                   fit.factors[0].r),
+            isTinted ? tint : fit);
     }
-    Fit mirror = fitOnward(difference, aov, number, c, &BodyColumns::reflected);
+    Fit mirror = fitOnward(difference, aov, number, c, &BodyColumns::reflected, fitGrey);
     add(Cause::reflection,
         fmt::format("the reflection (cr) of the {} differs by {:+.2g}", body.name(), mirror.factors[0].r),
         mirror);
