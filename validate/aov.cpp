@@ -51,8 +51,9 @@ std::vector<std::vector<AovVisit>> readVisits(const Reader& reader, std::size_t 
     for (int n = 0; reader.has(fmt::format("visit{}.body", n)); ++n) {
         const std::string name = fmt::format("visit{}", n);
         const std::vector<int> body = reader.integers(name + ".body");
-        const auto &back = reader.floats(name + ".back"), &weight = reader.floats(name + ".weight");
-        const auto lit = reader.colours(name + ".lit"), highlight = reader.colours(name + ".highlight"),
+        const auto& back = reader.floats(name + ".back");
+        const auto weight = reader.colours(name + ".weight"), lit = reader.colours(name + ".lit"),
+                   highlight = reader.colours(name + ".highlight"),
                    reflected = reader.colours(name + ".reflected"),
                    transmitted = reader.colours(name + ".transmitted");
         for (std::size_t i = 0; i < size; ++i)
@@ -65,15 +66,20 @@ std::vector<std::vector<AovVisit>> readVisits(const Reader& reader, std::size_t 
 
 void readScene(const std::string& text, const Reader& reader, Aov& aov) {
     const auto json = nlohmann::json::parse(text);
-    for (const auto& body : json.at("bodies"))
-        aov.bodies.push_back({body.at("kind"), body.at("line"), body.at("exponent"), body.at("reflection"),
-                              body.at("transmission")});
+    for (const auto& body : json.at("bodies")) {
+        const auto& t = body.at("transmission");
+        aov.bodies.push_back({body.at("kind"),
+                              body.at("line"),
+                              body.at("exponent"),
+                              body.at("reflection"),
+                              {t[0], t[1], t[2]}});
+    }
     for (const auto& light : json.at("lights")) {
         const auto& b = light.at("brightness");
         const std::string name = fmt::format("light{}", aov.lights.size());
-        if (!reader.has(name + ".arriving")) break; // more lights than have channels
+        if (!reader.has(name + ".arriving.R")) break; // more lights than have channels
         aov.lights.push_back({light.at("line"),
-                              reader.floats(name + ".arriving"),
+                              reader.colours(name + ".arriving"),
                               reader.floats(name + ".mirror"),
                               reader.colours(name),
                               {b[0], b[1], b[2]}});
@@ -104,7 +110,7 @@ Aov aovFrom(const Layers& layers) {
     aov.reflectedBody = reader.integers("reflected.id");
     aov.transmittedBody = reader.integers("transmitted.id");
     aov.depth = reader.floats("depth.Z");
-    aov.backgroundWeight = reader.floats("background.weight");
+    aov.backgroundWeight = reader.colours("background.weight");
     aov.visits = readVisits(reader, aov.size());
     aov.shadowedLights = reader.mask("shadow.lights");
     aov.secondaryBodies = reader.mask("secondary.bodies");

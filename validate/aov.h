@@ -18,16 +18,17 @@ namespace yarte::validate {
 struct AovBody {
     std::string kind; ///< the directive's name
     int line = 0;     ///< of the directive, from 1
-    double exponent = 1, reflection = 0, transmission = 0;
+    double exponent = 1, reflection = 0;
+    Colour transmission; ///< ct times the tint
 
     std::string name() const; ///< "truncated cone at line 23"
 };
 
 struct AovLight {
     int line = 0;
-    std::vector<float> arriving; ///< by pixel: part of its light that shadows leave at the first hit
-    std::vector<float> mirror;   ///< R.L there
-    std::vector<Colour> share;   ///< what it adds to the pixel
+    std::vector<Colour> arriving; ///< by pixel: part of its light that shadows leave at the first hit
+    std::vector<float> mirror;    ///< R.L there
+    std::vector<Colour> share;    ///< what it adds to the pixel
     Colour brightness;
 
     std::string name() const; ///< "light at line 9"
@@ -37,8 +38,7 @@ struct AovLight {
 struct AovVisit {
     int body = -1;
     bool isBack = false;
-    double weight = 0;
-    Colour lit, highlight, reflected, transmitted;
+    Colour weight, lit, highlight, reflected, transmitted;
 };
 
 /// Masks of numbered things, by pixel.
@@ -76,7 +76,7 @@ struct Aov {
     // By pixel, row 0 on top:
     std::vector<int> body, reflectedBody, transmittedBody; ///< indices into bodies, or -1
     std::vector<float> depth;                              ///< along the camera ray; -1: nothing there
-    std::vector<float> backgroundWeight;
+    std::vector<Colour> backgroundWeight;
     std::vector<std::vector<AovVisit>> visits; ///< the heaviest first
     AovMask shadowedLights, secondaryBodies, castingBodies;
 

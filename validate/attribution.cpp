@@ -53,7 +53,9 @@ private:
 
     int bodyCount() const { return static_cast<int>(aov_.bodies.size()); }
     const BodyEvidence& evidence(int body) const { return evidence_.bodies[static_cast<std::size_t>(body)]; }
-    bool transmits(int body) const { return aov_.bodies[static_cast<std::size_t>(body)].transmission > 0; }
+    bool transmits(int body) const {
+        return !isBlack(aov_.bodies[static_cast<std::size_t>(body)].transmission);
+    }
     Finding about(Cause cause, int body, const char* text) const {
         const AovBody& b = aov_.bodies[static_cast<std::size_t>(body)];
         return {cause, body, {}, b.name(), b.line, fmt::format("the {} {}", b.name(), text)};

@@ -29,8 +29,7 @@ std::optional<Finding> globalLinearCause(const Difference& difference, const Aov
     Column picture, background;
     for (const std::size_t p : pixels) {
         picture.push_back(difference.a(p));
-        const double w = aov.backgroundWeight[p];
-        background.push_back({w, w, w});
+        background.push_back(aov.backgroundWeight[p]);
     }
     if (const Fit fit = fitGrey(difference, pixels, picture); fit.leftover <= explained)
         return Finding{Cause::brightness,
@@ -79,7 +78,7 @@ struct BodyColumns {
         reflected.emplace_back(), transmitted.emplace_back();
         for (const AovVisit& visit : visits) {
             if (visit.body != body) continue;
-            weight[visit.isBack].back() = {visit.weight, visit.weight, visit.weight};
+            weight[visit.isBack].back() = visit.weight;
             lit[visit.isBack].back() = visit.lit;
             highlight[visit.isBack].back() = visit.highlight;
             reflected.back() += visit.reflected;
@@ -119,7 +118,7 @@ Column highlights(const Aov& aov, const std::vector<std::size_t>& pixels, int bo
         Colour sum;
         if (aov.body[p] == body)
             for (const AovLight& light : aov.lights)
-                if (light.arriving[p] > 0 && light.mirror[p] > 0)
+                if (!isBlack(light.arriving[p]) && light.mirror[p] > 0)
                     sum += light.brightness *
                            (light.arriving[p] * std::pow(static_cast<double>(light.mirror[p]), exponent));
         column.push_back(sum);
@@ -159,17 +158,25 @@ ExponentFit fitExponent(const Difference& difference, const Aov& aov, int body) 
     return best;
 }
 
+/// Three factors always explain some more than one: the tint is named if they leave a good deal less.
+constexpr double muchLess = 0.5;
+
 Finding findingOf(Cause cause, int number, const AovBody& body, const std::string& text) {
     return {cause, number, {}, body.name(), body.line, text};
 }
 
-/// cr and ct are linear only in pixels that meet the body once. Such a fit, if it explains these and they are
-/// not too few; else one of all of the body's pixels, which is a first approximation.
+/// cr, ct and the tint are linear only in pixels that meet the body once. Such a fit, if it explains these
+/// and they are not too few; else one of all of the body's pixels, which is a first approximation.
+template <class FitColumn>
 Fit fitOnward(const Difference& difference, const Aov& aov, int body, const BodyColumns& all,
-              Column BodyColumns::*column) {
+              Column BodyColumns::*column, FitColumn fitted) {
     if (const BodyColumns once = metOnce(aov, body); isEnough(difference, once))
-        if (Fit fit = fitGrey(difference, once.pixels, once.*column); fit.leftover <= explained) return fit;
-    return fitGrey(difference, all.pixels, all.*column);
+        if (Fit fit = fitted(difference, once.pixels, once.*column); fit.leftover <= explained) return fit;
+    return fitted(difference, all.pixels, all.*column);
+}
+
+Fit fitTint(const Difference& difference, const std::vector<std::size_t>& pixels, const Column& column) {
+    return fitChannels(difference, pixels, {column});
 }
 
 } // namespace
@@ -182,13 +189,17 @@ std::vector<Suspicion> suspicions(const Difference& difference, const Aov& aov, 
     const auto add = [&](Cause cause, const std::string& text, Fit fit) {
         list.push_back({findingOf(cause, number, body, text), std::move(fit)});
     };
-    if (body.transmission > 0) {
-        Fit fit = fitOnward(difference, aov, number, c, &BodyColumns::transmitted);
+    if (!isBlack(body.transmission)) {
+        Fit fit = fitOnward(difference, aov, number, c, &BodyColumns::transmitted, fitGrey);
+        Fit tint = fitOnward(difference, aov, number, c, &BodyColumns::transmitted, fitTint);
+        const bool isTinted = fit.leftover > explained && tint.unexplained < muchLess * fit.unexplained;
         add(Cause::refraction,
-            fmt::format("the transmission (ct) of the {} differs by {:+.2g}", body.name(), fit.factors[0].r),
-            fit);
+            isTinted ? fmt::format("the tint of the {} differs", body.name())
+                     : fmt::format("the transmission (ct) of the {} differs by {:+.2g}", body.name(),
+                                   fit.factors[0].r),
+            isTinted ? tint : fit);
     }
-    Fit mirror = fitOnward(difference, aov, number, c, &BodyColumns::reflected);
+    Fit mirror = fitOnward(difference, aov, number, c, &BodyColumns::reflected, fitGrey);
     add(Cause::reflection,
         fmt::format("the reflection (cr) of the {} differs by {:+.2g}", body.name(), mirror.factors[0].r),
         mirror);

@@ -46,11 +46,11 @@ public:
         one("back", pixel_.isBack);
         std::vector<bool> shadowed;
         for (const AovLight& light : pixel_.lights)
-            shadowed.push_back(light.lambert > 0 && light.arriving < 1);
+            shadowed.push_back(light.lambert > 0 && light.arriving != Colour{1, 1, 1});
         mask("shadow.lights", shadowed);
         one("reflected.id", pixel_.reflectedBody);
         one("transmitted.id", pixel_.transmittedBody);
-        one("background.weight", pixel_.backgroundWeight);
+        colour("background", -1, pixel_.backgroundWeight, {".weight.R", ".weight.G", ".weight.B"});
         for (std::size_t i = 0; i < std::min(pixel_.lights.size(), maxLitChannels); ++i) light(i);
         for (std::size_t i = 0; i < visitChannels; ++i)
             visit(static_cast<int>(i), i < pixel_.visits.size() ? pixel_.visits[i] : AovVisit{});
@@ -69,7 +69,7 @@ private:
     void visit(int number, const AovVisit& v) {
         visit_("visit", number, ".body", v.body);
         visit_("visit", number, ".back", v.isBack);
-        visit_("visit", number, ".weight", v.weight);
+        colour("visit", number, v.weight, {".weight.R", ".weight.G", ".weight.B"});
         colour("visit", number, v.lit, {".lit.R", ".lit.G", ".lit.B"});
         colour("visit", number, v.highlight, {".highlight.R", ".highlight.G", ".highlight.B"});
         colour("visit", number, v.reflected, {".reflected.R", ".reflected.G", ".reflected.B"});
@@ -77,7 +77,7 @@ private:
     }
     void light(std::size_t i) {
         const int number = static_cast<int>(i);
-        visit_("light", number, ".arriving", pixel_.lights[i].arriving);
+        colour("light", number, pixel_.lights[i].arriving, {".arriving.R", ".arriving.G", ".arriving.B"});
         visit_("light", number, ".lambert", pixel_.lights[i].lambert);
         visit_("light", number, ".mirror", pixel_.lights[i].mirror);
         colour("light", number, pixel_.lightShare[i], {".R", ".G", ".B"});
@@ -117,15 +117,17 @@ int lineOf(const Span& span, const Sources& sources) {
     return span.source.valid() ? static_cast<int>(sources[span.source].position(span.begin).line) : -1;
 }
 
-/// {"bodies":[{"kind":"sphere","line":9,"exponent":20,"reflection":0.3,"transmission":0}],
+/// {"bodies":[{"kind":"sphere","line":9,"exponent":20,"reflection":0.3,"transmission":[0,0,0]}],
 ///  "lights":[{"line":5,"brightness":[1,1,1]}]}
 std::string sceneJson(const Scene& scene, const Sources& sources) {
     std::vector<std::string> bodies, lights;
     for (const Body& body : scene.bodies) {
         const Material& m = scene.materials[body.material.index];
+        const Colour passes = transmittance(m);
         bodies.push_back(fmt::format(
-            R"({{"kind":"{}","line":{},"exponent":{},"reflection":{},"transmission":{}}})",
-            kindOf(body.shape), lineOf(body.span, sources), m.exponent, m.reflection, m.transmission));
+            R"({{"kind":"{}","line":{},"exponent":{},"reflection":{},"transmission":[{},{},{}]}})",
+            kindOf(body.shape), lineOf(body.span, sources), m.exponent, m.reflection, passes.r, passes.g,
+            passes.b));
     }
     for (const Light& light : scene.lights)
         lights.push_back(fmt::format(R"({{"line":{},"brightness":[{},{},{}]}})", lineOf(light.span, sources),

@@ -4,7 +4,6 @@
 #include "yarte/lang/scene_printer.h"
 #include "yarte/lang/scene_reader.h"
 
-
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -67,7 +66,7 @@ std::string text(const Light& light) {
 std::string text(const Material& material) {
     Scene only;
     only.materials = {material};
-    return linesOf(only, {"material"});
+    return linesOf(only, {"material", "tint"});
 }
 
 std::string text(const Body& body) {

@@ -38,6 +38,13 @@ Colour ambientOf(const PbrMaterial& m) {
     return m.base * (ambientShare * (1 - (1 - m.metallic) * m.transmission));
 }
 
+/// The tint of the brightest channel is 1, so that grey needs none.
+void setTransmittance(Material& m, Colour passes) {
+    const double most = maxComponent(passes);
+    m.transmission = most;
+    m.tint = most > 0 ? Colour{passes.r / most, passes.g / most, passes.b / most} : Colour{1, 1, 1};
+}
+
 /// Only a part `alpha` of the surface is there; the rest lets rays pass straight.
 Material covered(Material phong, double alpha) {
     if (alpha == 1) return phong;
@@ -45,7 +52,7 @@ Material covered(Material phong, double alpha) {
     phong.diffuse = phong.diffuse * alpha;
     phong.specular = phong.specular * alpha;
     phong.reflection *= alpha;
-    phong.transmission = alpha * phong.transmission + (1 - alpha);
+    setTransmittance(phong, alpha * transmittance(phong) + (1 - alpha) * Colour{1, 1, 1});
     phong.index = 1;
     return phong;
 }
@@ -73,7 +80,7 @@ Material toPhong(const PbrMaterial& m) {
         mix(atMostWhite(m.specularColour * reflectance(m.ior)) * m.specular, m.base, m.metallic);
     phong.specular = bounded(f0 * highlight(m.roughness, phong.exponent));
     phong.reflection = m.metallic * mean(m.base) * mirrorShare(m.roughness);
-    phong.transmission = dielectric * m.transmission * mean(m.base);
+    setTransmittance(phong, dielectric * m.transmission * m.base);
     if (phong.transmission > 0) phong.index = m.thickness > 0 ? std::max(m.ior, 1.0) : 1;
     return covered(phong, m.alpha);
 }
@@ -85,15 +92,17 @@ PbrMaterial toPbr(const Material& phong) {
     // The means of what is reflected by metal, transmitted and scattered; their sum is the base colour's.
     const double metal = std::min(1.0, phong.reflection / std::max(mirrorShare(m.roughness), 1e-3));
     const double scattered = std::max(0.0, diffuse - metal * blurredShare(m.roughness));
-    const double sum = metal + phong.transmission + scattered;
+    const Colour passes = transmittance(phong);
+    const double transmitted = mean(passes);
+    const double sum = metal + transmitted + scattered;
     m.metallic = sum > 0 ? metal / sum : 0;
-    m.transmission = phong.transmission > 0 ? phong.transmission / (phong.transmission + scattered) : 0;
+    m.transmission = transmitted > 0 ? transmitted / (transmitted + scattered) : 0;
     if (m.transmission > 0) {
         m.ior = std::max(1.0, phong.index);
         m.thickness = phong.index != 1;
     }
-    const double specular = mean(phong.specular);
-    const Colour hue = diffuse > 0    ? phong.diffuse * (1 / diffuse)
+    const double specular = mean(phong.specular), body = diffuse + transmitted;
+    const Colour hue = body > 0       ? (phong.diffuse + passes) * (1 / body)
                        : specular > 0 ? phong.specular * (1 / specular)
                                       : Colour{1, 1, 1};
     m.base = bounded(hue * sum);

@@ -91,7 +91,7 @@ private:
         scene_.gamma = displayGamma;
         scene_.background = viewerBackground;
         const bool hasRays = std::ranges::any_of(
-            scene_.materials, [](const Material& m) { return m.reflection > 0 || m.transmission > 0; });
+            scene_.materials, [](const Material& m) { return m.reflection > 0 || transmits(m); });
         if (hasRays) scene_.maxRecursion = levelsThroughGlass;
         ledger_.add({"scene", "gamma, background, recursion", Action::added, "as viewers show it", {}});
     }

@@ -19,7 +19,7 @@ std::vector<double> thicknesses(const Scene& scene, const std::vector<ShownBody>
     std::vector<double> result(scene.materials.size());
     for (const auto& [body, shape, geometry] : bodies) {
         double& thickness = result[body.material.index];
-        if (scene.materials[body.material.index].transmission > 0)
+        if (transmits(scene.materials[body.material.index]))
             thickness = std::max(thickness, 2 * shape.scale * geometry.print.reach());
     }
     std::map<const Geometry*, bool> closed;

@@ -16,9 +16,17 @@ std::string colours(Colour ambient, Colour diffuse, Colour specular) {
 
 std::string front(const Material& m) { return colours(m.ambient, m.diffuse, m.specular); }
 
+bool isTinted(const Material& m) { return m.tint != Material{}.tint; }
+
 std::string numbers(const Material& m) {
-    return fmt::format("{}, {}, {}, {}", printNumber(m.exponent), printNumber(m.reflection),
-                       printNumber(m.transmission), printNumber(m.index));
+    const std::string four = fmt::format("{}, {}, {}, {}", printNumber(m.exponent), printNumber(m.reflection),
+                                         printNumber(m.transmission), printNumber(m.index));
+    return isTinted(m) ? fmt::format("{}, {}", four, sdl(m.tint)) : four;
+}
+
+/// The macro's name.
+std::string macro(const Material& m, const char* kind) {
+    return fmt::format("Yarte_{}{}", isTinted(m) ? "Tinted_" : "", kind);
 }
 
 double least(Colour c) { return std::min({c.r, c.g, c.b}); }
@@ -37,7 +45,7 @@ void reportPlain(const std::string& where, const Material& m, const BackColours&
     if (isStoodIn(c.ambient.r, c.diffuse.r) || isStoodIn(c.ambient.g, c.diffuse.g) ||
         isStoodIn(c.ambient.b, c.diffuse.b))
         row("diffuse", Action::approximated, "1e-6 where it is 0 and the ambient is not", 1e-6);
-    if (m.transmission > 0)
+    if (transmits(m) && (m.transmission != 1 || m.reflection > 0))
         row("transmission", Action::approximated, "total internal reflection has weight 1", {});
     if (m.transmission >= 1 && !(isBlack(c.ambient) && isBlack(c.diffuse)))
         row("ambient and diffuse", Action::dropped, "POV-Ray scales them by 1 - transmission", {});
@@ -52,7 +60,8 @@ Appearances::Appearances(const Scene& scene) : names_(scene.bodies.size()) {
     for (std::size_t id = 0; id < scene.materials.size(); ++id) {
         const Material& m = scene.materials[id];
         const std::string name = fmt::format("Material_{}", id + 1);
-        declarations_ += fmt::format("#declare {} = Yarte_Material({}, {})\n", name, front(m), numbers(m));
+        declarations_ +=
+            fmt::format("#declare {} = {}({}, {})\n", name, macro(m, "Material"), front(m), numbers(m));
         // Its two-sided forms follow at once: with their first arguments they tell which material they are
         // of.
         std::vector<const BackColours*> known;
@@ -66,8 +75,9 @@ Appearances::Appearances(const Scene& scene) : names_(scene.bodies.size()) {
             names_[i] = fmt::format("{}_Back_{}", name, found - known.begin() + 1);
             if (found != known.end()) continue;
             known.push_back(&*back);
-            declarations_ += fmt::format("#declare {} = Yarte_Two_Sided({}, {}, {})\n", names_[i], front(m),
-                                         colours(back->ambient, back->diffuse, back->specular), numbers(m));
+            declarations_ +=
+                fmt::format("#declare {} = {}({}, {}, {})\n", names_[i], macro(m, "Two_Sided"), front(m),
+                            colours(back->ambient, back->diffuse, back->specular), numbers(m));
         }
     }
 }

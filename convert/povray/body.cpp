@@ -53,7 +53,7 @@ struct Writer {
     /// POV-Ray takes a camera behind a disc, or between the rims of an open cone or cylinder, to be inside;
     /// the inverse body is not.
     std::string outsideOfEye() const {
-        const bool isTransmissive = writing.scene.materials[body.material.index].transmission > 0;
+        const bool isTransmissive = transmits(writing.scene.materials[body.material.index]);
         return isTransmissive && wouldHoldEye(body, writing.scene.camera.position) ? "    inverse\n" : "";
     }
 
@@ -76,7 +76,8 @@ struct Writer {
 
     std::string operator()(const TruncatedCone& c) const {
         return object("truncated cone",
-                      fmt::format("object {{\n    Yarte_Truncated_Cone({}, {}, {})\n", printNumber(c.radius), printNumber(c.coneHeight), printNumber(c.height)),
+                      fmt::format("object {{\n    Yarte_Truncated_Cone({}, {}, {})\n", printNumber(c.radius),
+                                  printNumber(c.coneHeight), printNumber(c.height)),
                       outsideOfEye() + placement(c.centre));
     }
 

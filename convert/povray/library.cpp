@@ -10,7 +10,7 @@ struct Macro {
 };
 
 // Each uses only those before it. Parameters: A, D, S ambient, diffuse, specular; N exponent; Cr, Ct
-// reflection, transmission.
+// reflection, transmission. Materials with a tint have macros of their own, so that those without stay short.
 constexpr Macro exactTextures[] = {
     {"Yarte_Matt",
      R"(// The local terms and the mirror as layers, the lowest first. An upper layer with transmit 1/2 shows the one below it by
@@ -37,6 +37,19 @@ constexpr Macro exactTextures[] = {
 )"},
 };
 
+constexpr Macro exactTints[] = {
+    {"Yarte_Tinted_Sum",
+     R"(// The same where what lies behind, but not what is reflected totally, is tinted: by a filter.
+#macro Yarte_Tinted_Sum(Layers, Ct, Tint)
+    #if (Ct = 0)
+        Layers
+    #else
+        average texture_map { [1 Layers] [Ct pigment { rgbf <Tint.x, Tint.y, Tint.z, 1> }] [-Ct pigment { rgb 0 }] }
+    #end
+#end
+)"},
+};
+
 constexpr Macro plainTextures[] = {
     {"Yarte_Plain",
      R"(// One texture. Exact but for these: specular colours become grey; a millionth stands in for zeros of D where A has none;
@@ -47,6 +60,14 @@ constexpr Macro plainTextures[] = {
     #local Ambient = <A.x/max(P.x, 1e-6), A.y/max(P.y, 1e-6), A.z/max(P.z, 1e-6)>;
     pigment { rgbt <P.x/Shown, P.y/Shown, P.z/Shown, Ct> }
     finish { ambient rgb Ambient*Exposure diffuse 1 phong max(S.x, S.y, S.z) phong_size N reflection { rgb Cr } }
+#end
+)"},
+};
+
+constexpr Macro plainTints[] = {
+    {"Yarte_Plain_Filter", R"(// Below a plain texture: what it lets through is tinted.
+#macro Yarte_Plain_Filter(Tint)
+    pigment { rgbf <Tint.x, Tint.y, Tint.z, 1> }
 #end
 )"},
 };
@@ -82,6 +103,29 @@ constexpr Macro exactMaterials[] = {
 )"},
 };
 
+constexpr Macro exactTintedMaterials[] = {
+    {"Yarte_Tinted_Material", R"(#macro Yarte_Tinted_Material(A, D, S, N, Cr, Ct, Index, Tint)
+    #if (vlength(S) = 0) #local Front = Yarte_Matt(A, D, Cr) #else #local Front = Yarte_Shiny(A, D, S, N, Cr) #end
+    material { texture { Yarte_Tinted_Sum(Front, Ct, Tint) } Yarte_Interior(Ct*vlength(Tint), Index) }
+#end
+)"},
+    {"Yarte_Tinted_Two_Sided",
+     R"(#macro Yarte_Tinted_Two_Sided(A, D, S, Back_A, Back_D, Back_S, N, Cr, Ct, Index, Tint)
+    #if (vlength(S) = 0) #local Front = Yarte_Matt(A, D, Cr) #else #local Front = Yarte_Shiny(A, D, S, N, Cr) #end
+    #if (vlength(Back_S) = 0)
+        #local Back = Yarte_Matt(Back_A, Back_D, Cr)
+    #else
+        #local Back = Yarte_Shiny(Back_A, Back_D, Back_S, N, Cr)
+    #end
+    material {
+        texture { Yarte_Tinted_Sum(Front, Ct, Tint) }
+        interior_texture { Yarte_Tinted_Sum(Back, Ct, Tint) }
+        Yarte_Interior(Ct*vlength(Tint), Index)
+    }
+#end
+)"},
+};
+
 constexpr Macro plainMaterials[] = {
     {"Yarte_Material", R"(#macro Yarte_Material(A, D, S, N, Cr, Ct, Index)
     material { texture { Yarte_Plain(A, D, S, N, Cr, Ct) } Yarte_Interior(Ct, Index) }
@@ -92,6 +136,28 @@ constexpr Macro plainMaterials[] = {
         texture { Yarte_Plain(A, D, S, N, Cr, Ct) }
         interior_texture { Yarte_Plain(Back_A, Back_D, Back_S, N, Cr, Ct) }
         Yarte_Interior(Ct, Index)
+    }
+#end
+)"},
+};
+
+constexpr Macro plainTintedMaterials[] = {
+    {"Yarte_Tinted_Material", R"(#macro Yarte_Tinted_Material(A, D, S, N, Cr, Ct, Index, Tint)
+    material {
+        texture { Yarte_Plain_Filter(Tint) }
+        texture { Yarte_Plain(A, D, S, N, Cr, Ct) }
+        Yarte_Interior(Ct*vlength(Tint), Index)
+    }
+#end
+)"},
+    {"Yarte_Tinted_Two_Sided",
+     R"(#macro Yarte_Tinted_Two_Sided(A, D, S, Back_A, Back_D, Back_S, N, Cr, Ct, Index, Tint)
+    material {
+        texture { Yarte_Plain_Filter(Tint) }
+        texture { Yarte_Plain(A, D, S, N, Cr, Ct) }
+        interior_texture { Yarte_Plain_Filter(Tint) }
+        interior_texture { Yarte_Plain(Back_A, Back_D, Back_S, N, Cr, Ct) }
+        Yarte_Interior(Ct*vlength(Tint), Index)
     }
 #end
 )"},
@@ -240,10 +306,14 @@ void prepend(std::string& library, std::string_view text, const Macro (&macros)[
 template <typename Use>
 void forEachMacro(const Use& use) {
     for (const Macro& macro : exactTextures) use(macro);
+    for (const Macro& macro : exactTints) use(macro);
     for (const Macro& macro : plainTextures) use(macro);
+    for (const Macro& macro : plainTints) use(macro);
     for (const Macro& macro : interiors) use(macro);
     for (const Macro& macro : exactMaterials) use(macro);
+    for (const Macro& macro : exactTintedMaterials) use(macro);
     for (const Macro& macro : plainMaterials) use(macro);
+    for (const Macro& macro : plainTintedMaterials) use(macro);
     for (const Macro& macro : geometry) use(macro);
 }
 
@@ -276,12 +346,16 @@ std::string libraryFor(std::string_view text, bool plain) {
     std::string library;
     prepend(library, text, geometry);
     if (plain) {
+        prepend(library, text, plainTintedMaterials);
         prepend(library, text, plainMaterials);
         prepend(library, text, interiors);
+        prepend(library, text, plainTints);
         prepend(library, text, plainTextures);
     } else {
+        prepend(library, text, exactTintedMaterials);
         prepend(library, text, exactMaterials);
         prepend(library, text, interiors);
+        prepend(library, text, exactTints);
         prepend(library, text, exactTextures);
     }
     return library;

@@ -109,7 +109,7 @@ std::string meshObject(const Scene& scene, const Body& body, const Mesh& mesh, b
             "object {{\n    {}\n    scale {}\n    Yarte_Turn({})\n    translate {}\n    scale World_Scale\n",
             name, scale, axes, translation);
 
-    const bool isTransmissive = scene.materials[body.material.index].transmission > 0;
+    const bool isTransmissive = transmits(scene.materials[body.material.index]);
     const Vec3 eye = scene.camera.position;
     const bool holdsEye = isTransmissive && isInside(data, placedVertices(data, mesh), eye);
     // A union, as POV-Ray's meshes keep their planes in float32; it warns of a union of one.

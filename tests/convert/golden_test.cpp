@@ -36,6 +36,8 @@ TEST_P(GoldenSdl, IsAsExpected) {
 INSTANTIATE_TEST_SUITE_P(, GoldenSdl,
                          testing::Values(Golden{"shapes.yarte", "shapes.pov", false},
                                          Golden{"planes.yarte", "planes.pov", false},
+                                         Golden{"tints.yarte", "tints.pov", false},
+                                         Golden{"tints.yarte", "tints_plain.pov", true},
                                          Golden{"meshes.yarte", "meshes.pov", false},
                                          Golden{"meshes.yarte", "meshes_plain.pov", true}));
 

@@ -56,4 +56,14 @@ TEST(PovrayAgreement, EverySceneIsExpectedToBeEqual) {
         EXPECT_NE(entry.path().filename(), "tolerance.json") << entry.path();
 }
 
+/// POV-Ray's own picture of a scene in its language, and ours of what we read of it.
+TEST(PovrayAgreement, ImportedGlassIsTintedAsPovraysIs) {
+    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    const fs::path scene = fs::path(YARTE_SOURCE_DIR) / "tests" / "data" / "povray" / "tinted_glass.pov",
+                   folder = test::emptyTestFolder();
+    const test::ProgramResult result =
+        test::run("yarte-validate", {scene.string(), "--size", "160x120", "-o", "report"}, folder);
+    EXPECT_EQ(result.exitCode, 0) << result.out << result.err << "pictures: " << (folder / "report").string();
+}
+
 } // namespace

@@ -51,7 +51,8 @@ private:
                 notNegative(),
                 notNegative(),
                 transmission,
-                transmission > 0 ? positive() : number()};
+                transmission > 0 ? positive() : number(),
+                maybe() ? colour() : Colour{1, 1, 1}};
     }
     Referential axes(bool withZ) {
         Referential axes = random_.referential();

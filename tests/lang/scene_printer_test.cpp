@@ -27,6 +27,17 @@ TEST(ScenePrinter, BrightnessIsOneNumberWhereItCanBe) {
                                                          "light_source 1 2 3 0 -0 0\n");
 }
 
+TEST(ScenePrinter, ATintOfWhiteIsNone) {
+    Scene scene = test::emptyScene();
+    scene.materials = {test::glass(0.5, 1.5), test::glass(0.5, 1.5), test::glass(0, 0)};
+    scene.materials[1].tint = scene.materials[2].tint = {1, 0.5, 1};
+    EXPECT_EQ(printScene(scene), std::string(settings) + "\nmaterial 0 0 0 0 0 0 0 0 0 1 0 0.5 1.5\n"
+                                                         "\nmaterial 0 0 0 0 0 0 0 0 0 1 0 0.5 1.5\n"
+                                                         "tint 1 0.5 1\n"
+                                                         "\nmaterial 0 0 0 0 0 0 0 0 0 1 0 0 0\n"
+                                                         "tint 1 0.5 1\n");
+}
+
 TEST(ScenePrinter, MaterialsComeOnceAndUnusedOnesStay) {
     Scene scene = test::emptyScene();
     for (const double red : {0.1, 0.2, 0.3, 0.4}) scene.materials.push_back(test::matt({red, 0, 0}));

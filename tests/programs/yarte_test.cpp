@@ -131,7 +131,7 @@ TEST_F(Yarte, TheAovIsTheSameInEveryMode) {
     };
     const std::string reference = aov({"--processes", "0"});
     for (const char* channel : {"body.id", "line", "depth.Z", "N.X", "shadow.lights", "reflected.id",
-                                "transmitted.id", "visit0.weight", "light0.arriving", "yarte.scene"})
+                                "transmitted.id", "visit0.weight.R", "light0.arriving.R", "yarte.scene"})
         EXPECT_TRUE(reference.find(std::string(channel) + '\0') != std::string::npos) << channel;
     EXPECT_TRUE(reference.find(R"({"bodies":[{"kind":"sphere","line":18,)") != std::string::npos);
     EXPECT_TRUE(aov({"--processes", "3", "--tile", "5"}) == reference);

@@ -44,6 +44,11 @@ TEST(CheckMaterial, EveryValueHasItsRule) {
     m = good, m.transmission = -1;
     expectProblem(check(m), "scene.coefficient-negative",
                   "the transmission coefficient must not be negative, got -1", 11);
+    m = good, m.tint.g = -1;
+    expectProblem(check(m), "scene.colour-negative", "tint must not be negative, got -1", 14);
+    expectProblem(checkTint(m.tint), "scene.colour-negative", "tint must not be negative, got -1", 1);
+    m = good, m.tint.b = infinity;
+    expectProblem(check(m), "scene.not-finite", "a number must be finite, got inf", 15);
     m = good, m.index = infinity;
     expectProblem(check(m), "scene.not-finite", "a number must be finite, got inf", 12);
 }

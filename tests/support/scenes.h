@@ -56,7 +56,8 @@ private:
     std::mt19937_64 engine_;
 };
 
-/// Bounded shapes of all kinds, some transmissive with different ct, some overlapping.
+/// Bounded shapes of all kinds, some transmissive with different ct, some overlapping; those of even seeds
+/// with tints, too.
 inline Scene mixedScene(int count, unsigned seed) {
     Random random(seed);
     Scene scene = emptyScene();
@@ -72,6 +73,8 @@ inline Scene mixedScene(int count, unsigned seed) {
         material.exponent = random.between(1, 200);
         if (i % 4 == 0) material.reflection = random.between(0.1, 0.9);
         if (i % 3 == 0) material.transmission = random.between(0.3, 1), material.index = random.between(1, 2);
+        if (seed % 2 == 0 && i % 6 == 0)
+            material.tint = {random.between(0, 1), i % 12 == 0 ? 0 : random.between(0, 1), 1};
         const Vec3 c = random.inCube(10);
         const double s = random.between(0.1, 1.5);
         const auto turned = [&](Shape shape) {

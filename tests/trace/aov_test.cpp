@@ -23,9 +23,7 @@ Scene sceneFromAbove() {
 AovPixel middle(const Scene& scene) { return aovPixel(*buildWorld(scene, {3, 3}), scene.lights, 1, 1); }
 
 /// A large square facing +z at height z.
-yarte::Polygon wall(double z) {
-    return {{{-100, -100, z}, {100, -100, z}, {100, 100, z}, {-100, 100, z}}};
-}
+yarte::Polygon wall(double z) { return {{{-100, -100, z}, {100, -100, z}, {100, 100, z}, {-100, 100, z}}}; }
 
 TEST(Aov, TellsWhatTheCameraRayMeets) {
     Scene scene = sceneFromAbove();
@@ -44,7 +42,7 @@ TEST(Aov, NothingMetIsBackgroundWithItsWholeWeight) {
     const AovPixel pixel = middle(sceneFromAbove());
     EXPECT_EQ(pixel.body, -1);
     EXPECT_EQ(pixel.depth, -1);
-    EXPECT_EQ(pixel.backgroundWeight, 1);
+    EXPECT_EQ(pixel.backgroundWeight, (Colour{1, 1, 1}));
 }
 
 TEST(Aov, ALightIsArrivingAsFarAsShadowsLeaveIt) {
@@ -56,8 +54,8 @@ TEST(Aov, ALightIsArrivingAsFarAsShadowsLeaveIt) {
     const AovPixel pixel = middle(scene);
     ASSERT_EQ(pixel.body, 0);
     ASSERT_EQ(pixel.lights.size(), 2u);
-    EXPECT_NEAR(pixel.lights[0].arriving, 0.25, 1e-15);
-    EXPECT_EQ(pixel.lights[1].arriving, 1);
+    EXPECT_NEAR(pixel.lights[0].arriving.g, 0.25, 1e-15);
+    EXPECT_EQ(pixel.lights[1].arriving, (Colour{1, 1, 1}));
     EXPECT_NEAR(pixel.lights[0].lambert, 0.8, 1e-15);
     EXPECT_NEAR(pixel.lights[1].mirror, 0.8, 1e-15);
     EXPECT_TRUE(pixel.casting[1]);
@@ -78,9 +76,9 @@ TEST(Aov, SecondaryRaysNameTheBodiesTheyMeet) {
     EXPECT_EQ(pixel.reflectedBody, 1);
     ASSERT_GE(pixel.visits.size(), 2u);
     EXPECT_EQ(pixel.visits[0].body, 0);
-    EXPECT_EQ(pixel.visits[0].weight, 1);
+    EXPECT_EQ(pixel.visits[0].weight, (Colour{1, 1, 1}));
     EXPECT_EQ(pixel.visits[1].body, 1);
-    EXPECT_EQ(pixel.visits[1].weight, 0.25);
+    EXPECT_EQ(pixel.visits[1].weight, (Colour{0.25, 0.25, 0.25}));
     EXPECT_TRUE(pixel.secondary[1]);
     EXPECT_FALSE(pixel.secondary[0]);
 }
@@ -92,9 +90,22 @@ TEST(Aov, AVisitIsTheSlopeOfTheColour) {
     scene.lights.push_back({{3, 0, 4}, {2, 1, 0.5}, {}});
     const AovPixel pixel = middle(scene);
     ASSERT_EQ(pixel.visits.size(), 1u);
-    EXPECT_EQ(pixel.visits[0].weight, 1);
+    EXPECT_EQ(pixel.visits[0].weight, (Colour{1, 1, 1}));
     EXPECT_NEAR(pixel.visits[0].lit.r, 2 * 0.8, 1e-14);
     EXPECT_NEAR(pixel.visits[0].highlight.b, 0.5 * std::pow(0.8, 7), 1e-14);
+}
+
+TEST(Aov, ATintIsInTheWeights) {
+    Scene scene = sceneFromAbove();
+    Material glass = test::glass(0.5, 1.5);
+    glass.tint = {1, 0.5, 0};
+    test::add(scene, yarte::Disc{{0, 0, 5}, 3}, glass).referential = Referential{{1, 0, 0}, {0, 0, 1}, {}};
+    test::add(scene, wall(0), {{0.25, 0.25, 0.25}, {}, {}, 1, 0, 0, 0});
+    const AovPixel pixel = middle(scene);
+    ASSERT_EQ(pixel.visits.size(), 2u);
+    EXPECT_EQ(pixel.visits[1].body, 1);
+    EXPECT_EQ(pixel.visits[1].weight, (Colour{0.5, 0.25, 0}));
+    EXPECT_EQ(pixel.visits[0].transmitted, (Colour{0.25, 0.125, 0})) << "what grows with ct";
 }
 
 TEST(Aov, TheBackIsSeenAsTheBack) {

@@ -10,7 +10,8 @@ namespace {
 /// Bodies 0, 1, 2 with indices 1.5, 2, 2.
 World threeGlasses() {
     World world;
-    for (const double index : {1.5, 2.0, 2.0}) world.bodies.push_back({{}, {}, {}, 1, 0, 1, index});
+    for (const double index : {1.5, 2.0, 2.0})
+        world.bodies.push_back({{}, {}, {}, 1, 0, index, {1, 1, 1}, 1});
     return world;
 }
 

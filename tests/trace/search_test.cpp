@@ -25,9 +25,9 @@ TEST(Search, TreeFindsWhatBruteForceFindsToTheLastBit) {
             const auto a = nearestHit(*world, ray), b = nearestHitBrute(*world, ray);
             ASSERT_EQ(a.has_value(), b.has_value()) << "seed " << seed << " ray " << i;
             const double distance = random.between(1, 30);
-            const double lit = transmittance(*world, ray, distance);
+            const Colour lit = transmittance(*world, ray, distance);
             EXPECT_EQ(lit, transmittanceBrute(*world, ray, distance)) << "seed " << seed << " ray " << i;
-            partial += lit > 0 && lit < 1;
+            partial += !isBlack(lit) && lit != Colour{1, 1, 1};
             if (!a) continue;
             ++hits;
             EXPECT_EQ(a->t, b->t);
@@ -84,10 +84,23 @@ TEST(Search, ASphereDimsTheLightTwiceASheetOnce) {
     test::add(scene, yarte::Polygon{{{-1, -1, 3}, {1, -1, 3}, {0, 1, 3}}}, test::glass(0.25, 1));
     const WorldPtr world = buildWorld(scene, {1, 1});
     const Ray ray{{0, 0, -5}, {0, 0, 1}, {}};
-    EXPECT_EQ(transmittance(*world, ray, 5), 0.5);         // ends inside the sphere
-    EXPECT_EQ(transmittance(*world, ray, 7), 0.25);        // behind it
-    EXPECT_EQ(transmittance(*world, ray, 9), 0.25 * 0.25); // and behind the sheet
-    EXPECT_EQ(transmittance(*world, ray, 3), 1);
+    const auto grey = [](double v) { return Colour{v, v, v}; };
+    EXPECT_EQ(transmittance(*world, ray, 5), grey(0.5));         // ends inside the sphere
+    EXPECT_EQ(transmittance(*world, ray, 7), grey(0.25));        // behind it
+    EXPECT_EQ(transmittance(*world, ray, 9), grey(0.25 * 0.25)); // and behind the sheet
+    EXPECT_EQ(transmittance(*world, ray, 3), grey(1));
+}
+
+TEST(Search, TintsMultiplyByChannel) {
+    Scene scene = test::emptyScene();
+    Material reddish = test::glass(0.5, 1.5), greenish = test::glass(0.5, 1);
+    reddish.tint = {1, 0.5, 0}, greenish.tint = {0, 1, 0.5};
+    test::add(scene, yarte::Sphere{{0, 0, 0}, 1}, reddish);
+    test::add(scene, yarte::Polygon{{{-1, -1, 3}, {1, -1, 3}, {0, 1, 3}}}, greenish);
+    const WorldPtr world = buildWorld(scene, {1, 1});
+    const Ray ray{{0, 0, -5}, {0, 0, 1}, {}};
+    EXPECT_EQ(transmittance(*world, ray, 7), (Colour{0.25, 0.0625, 0}));
+    EXPECT_EQ(transmittance(*world, ray, 9), (Colour{0, 0.03125, 0}));
 }
 
 TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {

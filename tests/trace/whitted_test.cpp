@@ -68,6 +68,27 @@ TEST(Whitted, ShadowOfGlassIsDimmedBySurfacesCrossed) {
     expectNear(look(scene, {0.5, 0, 3}, {-0.5, 0, -3}), {0.25, 0.25, 0.25});
 }
 
+TEST(Whitted, TintedGlassColoursWhatPassesOnly) {
+    Scene scene = test::emptyScene();
+    scene.background = {1, 1, 1};
+    Material m = test::glass(0.5, 1.5);
+    m.tint = {1, 0.5, 0};
+    test::add(scene, yarte::Box{{0, 0, 0}, {100, 100, 2}}, m);
+    scene.maxRecursion = 2;
+    expectNear(look(scene, {0, 0, 10}, {0, 0, -1}), {0.25, 0.0625, 0}); // through both faces
+    // Its shadow, on a wall below:
+    scene.maxRecursion = 0;
+    test::add(scene, wall(-3), test::matt({1, 1, 1}));
+    scene.lights.push_back({{0, 0, 20}, {1, 1, 1}, {}});
+    expectNear(look(scene, {0.5, 0, -2}, {-0.5, 0, -1}), {0.25, 0.0625, 0});
+    // A black tint lets nothing pass: no ray is worth tracing.
+    scene.materials[0].tint = {};
+    scene.maxRecursion = 2;
+    RayCounts counts;
+    expectNear(look(scene, {0, 0, 10}, {0, 0, -1}, &counts), {}, 0);
+    EXPECT_EQ(counts.transmitted, 0u);
+}
+
 TEST(Whitted, ParallelMirrorsGiveAGeometricSeries) {
     Scene scene = test::emptyScene();
     Material m = test::mirror(0.5);
@@ -117,6 +138,18 @@ TEST(Whitted, TotalReflectionTakesTheTransmittedWeight) {
     // 56 degrees from the normal, above the critical 41.8: down to the face at z = -1 at x = 1.5 and up to x
     // = 3, z = 0.
     expectNear(look(scene, {0, 0, 0}, {1.5, 0, -1}), {0.75, 0.75, 0.75});
+}
+
+TEST(Whitted, TotalReflectionIsNotTinted) {
+    Scene scene = test::emptyScene();
+    scene.camera.position = {0, 0, 0};
+    scene.camera.focus = {0, 0, -1};
+    Material m = test::glass(0.5, 1.5);
+    m.tint = {1, 0.5, 0};
+    test::add(scene, yarte::Box{{0, 0, 0}, {100, 100, 2}}, m);
+    test::add(scene, yarte::Sphere{{3, 0, 0}, 0.3}, {{1, 1, 1}, {}, {}, 1, 0, 0, 0});
+    scene.maxRecursion = 1;
+    expectNear(look(scene, {0, 0, 0}, {1.5, 0, -1}), {0.5, 0.5, 0.5}); // as in the test before
 }
 
 TEST(Whitted, IndexOneStillCountsLevels) {

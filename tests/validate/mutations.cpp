@@ -146,6 +146,10 @@ bool Mutator::changeMaterial(MutationKind kind, Body& body, Material& m) {
         mutation_.cause = Cause::refraction;
         m.transmission = std::max(0.05, otherPart(m.transmission));
         return true;
+    case MutationKind::tint:
+        mutation_.cause = Cause::refraction;
+        m.tint = otherColour(m.tint);
+        return true;
     default: break;
     }
     mutation_.cause = Cause::refraction;
@@ -158,8 +162,8 @@ bool Mutator::changeBody(MutationKind kind) {
     const int number = pick([&](const Body& body) {
         if (kind == MutationKind::exponent) return !isBlack(materialOf(body).specular);
         if (kind == MutationKind::sidesSwapped) return body.back.has_value();
-        if (kind == MutationKind::transmission || kind == MutationKind::index)
-            return materialOf(body).transmission > 0;
+        if (kind == MutationKind::transmission || kind == MutationKind::tint || kind == MutationKind::index)
+            return transmits(materialOf(body));
         return true;
     });
     if (number < 0) return false;
@@ -241,9 +245,10 @@ bool Mutator::change(MutationKind kind) {
 
 const char* name(MutationKind kind) {
     constexpr const char* names[] = {
-        "moved",        "resized",          "removed",    "ambient",      "diffuse",      "specular",
-        "exponent",     "sides swapped",    "reflection", "transmission", "index",        "light moved",
-        "light colour", "light brightness", "background", "aperture",     "camera moved", "brightness"};
+        "moved",      "resized",  "removed",       "ambient",      "diffuse",
+        "specular",   "exponent", "sides swapped", "reflection",   "transmission",
+        "tint",       "index",    "light moved",   "light colour", "light brightness",
+        "background", "aperture", "camera moved",  "brightness"};
     static_assert(std::size(names) == mutationKinds);
     return names[static_cast<std::size_t>(kind)];
 }

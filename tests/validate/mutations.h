@@ -20,6 +20,7 @@ enum class MutationKind {
     sidesSwapped,
     reflection,
     transmission,
+    tint,
     index,
     lightMoved,
     lightColour,
@@ -29,7 +30,7 @@ enum class MutationKind {
     cameraMoved,
     brightness,
 };
-inline constexpr int mutationKinds = 18;
+inline constexpr int mutationKinds = 19;
 
 const char* name(MutationKind);
 

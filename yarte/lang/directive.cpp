@@ -22,6 +22,7 @@ constexpr Directive table[] = {
     {Keyword::gammaCorrectionFactor, "gamma_correction_factor", "gamma", 1, 0, once},
     {Keyword::material, "material", "ambient, diffuse, specular, exponent, reflection, transmission, index",
      13},
+    {Keyword::tint, "tint", "red green blue", 3},
     {Keyword::sphere, "sphere", "centre, radius", 4},
     {Keyword::box, "box", "centre, sides", 6},
     {Keyword::cone, "cone", "base centre, radius, height", 5},

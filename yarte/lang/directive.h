@@ -18,6 +18,7 @@ enum class Keyword {
     maxRecurseLevel,
     gammaCorrectionFactor,
     material,
+    tint,
     sphere,
     box,
     cone,
@@ -33,7 +34,7 @@ enum class Keyword {
     instanceReferential,
 };
 
-inline constexpr std::size_t keywordCount = 23;
+inline constexpr std::size_t keywordCount = 24;
 
 struct Directive {
     Keyword keyword;

@@ -13,7 +13,7 @@ namespace yarte {
 
 void SceneBuilder::add(const Statement& s) {
     if (s.directive == nullptr) {
-        unknownMaterial_ = unknownBody_ = true;
+        unknownMaterial_ = unknownBody_ = unknownTint_ = true;
         return;
     }
     // A setting with errors, or given again, leaves the scene as it is.
@@ -49,6 +49,7 @@ void SceneBuilder::add(const Statement& s) {
         return;
     case Keyword::lightSource: return addLight(s);
     case Keyword::material: return addMaterial(s);
+    case Keyword::tint: return addTint(s);
     case Keyword::sphere:
     case Keyword::box:
     case Keyword::cone:

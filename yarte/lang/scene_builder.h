@@ -32,6 +32,7 @@ private:
     void setRecursion(const Statement&);
     void addLight(const Statement&);
     void addMaterial(const Statement&);
+    void addTint(const Statement&);
     void addBody(const Statement&);
     void addBackColours(const Statement&);
     void addReferential(const Statement&);
@@ -52,9 +53,12 @@ private:
     Scene scene_;
     std::array<std::optional<Given>, keywordCount> given_; ///< settings
     std::optional<Span> back_, referential_;               ///< attachments of the last body
+    std::optional<Span> tint_;                             ///< of the last material
+    bool isMaterialUsed_ = true;                           ///< the last material by a body, or there is none
     // An unknown word may have been any directive: what depends on it is not reported.
     bool unknownMaterial_ = false; ///< also after reporting that there is none
     bool unknownBody_ = false;     ///< since the last body
+    bool unknownTint_ = false;     ///< since the last material or body
 };
 
 } // namespace yarte

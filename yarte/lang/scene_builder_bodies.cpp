@@ -40,6 +40,28 @@ void SceneBuilder::addMaterial(const Statement& s) {
         report(check(material), s);
     }
     scene_.materials.push_back(material);
+    tint_ = std::nullopt;
+    isMaterialUsed_ = unknownTint_ = false;
+}
+
+void SceneBuilder::addTint(const Statement& s) {
+    if (unknownTint_) return;
+    if (isMaterialUsed_) {
+        Diagnostic& error =
+            diagnostics_.error("scene.no-preceding-material",
+                               "tint must follow its material, before the first object", s.keyword);
+        if (!scene_.bodies.empty())
+            error.notes.push_back({"this object has the material already", scene_.bodies.back().span});
+        return;
+    }
+    if (tint_) {
+        diagnostics_
+            .error("scene.duplicate-directive", "tint must be given only once for a material", s.whole)
+            .notes.push_back({"first given here", *tint_});
+        return;
+    }
+    tint_ = s.whole;
+    if (s.good) report(checkTint(scene_.materials.back().tint = ArgumentReader(s).colour()), s);
 }
 
 Shape SceneBuilder::shapeOf(const Statement& s) {
@@ -75,7 +97,8 @@ void SceneBuilder::addBody(const Statement& s) {
     scene_.bodies.push_back({shapeOf(s), {static_cast<std::uint32_t>(last)}, {}, {}, s.whole});
     if (s.good) report(check(scene_.bodies.back().shape), s);
     back_ = referential_ = std::nullopt;
-    unknownBody_ = false;
+    isMaterialUsed_ = true;
+    unknownBody_ = unknownTint_ = false;
 }
 
 Body* SceneBuilder::bodyFor(const Statement& s, bool (*takes)(const Shape&), std::optional<Span>& place) {

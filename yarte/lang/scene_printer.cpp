@@ -84,6 +84,7 @@ private:
         text_ += '\n';
         line(Keyword::material, m.ambient, m.diffuse, m.specular, m.exponent, m.reflection, m.transmission,
              m.index);
+        if (m.tint != Material{}.tint) line(Keyword::tint, m.tint);
     }
 
     void printNextMaterial() { printMaterial(scene_.materials[materialsPrinted_++]); }

@@ -43,7 +43,7 @@ Problems check(const Material& m) {
     Rules rules;
     const Colour a = m.ambient, d = m.diffuse, s = m.specular;
     if (!rules.finite(0, {a.r, a.g, a.b, d.r, d.g, d.b, s.r, s.g, s.b, m.exponent, m.reflection,
-                          m.transmission, m.index}))
+                          m.transmission, m.index, m.tint.r, m.tint.g, m.tint.b}))
         return std::move(rules).problems();
     rules.colour("ambient colour", a, 0);
     rules.colour("diffuse colour", d, 3);
@@ -54,6 +54,13 @@ Problems check(const Material& m) {
     if (m.transmission > 0)
         rules.positive("scene.index-not-positive", "the refraction index of a material that transmits",
                        m.index, 12);
+    rules.colour("tint", m.tint, 13);
+    return std::move(rules).problems();
+}
+
+Problems checkTint(Colour tint) {
+    Rules rules;
+    if (rules.finite(0, {tint.r, tint.g, tint.b})) rules.colour("tint", tint, 0);
     return std::move(rules).problems();
 }
 

@@ -27,8 +27,9 @@ inline constexpr int maxRecursionLimit = 255; ///< POV-Ray has 256 levels, the p
 inline constexpr double minUpSine = 1e-9;
 
 Problems check(const Resolution&);
-Problems check(const Light&); ///< arguments 3 to 5 are the brightness, also where the text gives it as one
-Problems check(const Material&);
+Problems check(const Light&);    ///< arguments 3 to 5 are the brightness, also where the text gives it as one
+Problems check(const Material&); ///< arguments 13 to 15 are the tint, a directive of its own in the text
+Problems checkTint(Colour);
 Problems check(const BackColours&);
 Problems check(const Referential&);
 Problems check(const Shape&);

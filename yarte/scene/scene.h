@@ -43,8 +43,13 @@ struct Material {
     double reflection = 0;   ///< cr
     double transmission = 0; ///< ct
     double index = 0;        ///< of refraction; ignored where transmission is 0 (D6)
+    Colour tint{1, 1, 1};    ///< of the light that passes through
     friend bool operator==(const Material&, const Material&) = default;
 };
+
+/// What a surface leaves of light that passes through it. Of light that it reflects totally, ct is left.
+constexpr Colour transmittance(const Material& m) { return m.transmission * m.tint; }
+constexpr bool transmits(const Material& m) { return !isBlack(transmittance(m)); }
 
 struct BackColours {
     Colour ambient, diffuse, specular;

@@ -22,7 +22,7 @@ public:
 
 private:
     struct Path {
-        double weight = 1; ///< 0: nothing of it arrives in the pixel
+        Colour weight{1, 1, 1}; ///< black: nothing of it arrives in the pixel
         int levelsLeft = 0;
         MediaStack media;
     };
@@ -30,7 +30,7 @@ private:
     /// The colour that the ray brings, not weighted.
     Colour follow(const Ray&, const Path&);
     Colour beyond(const Ray&, const Path&, const SurfacePoint&, Vec3 mirror, bool isCamera);
-    Colour local(const SurfacePoint&, Vec3 mirror, double weight);
+    Colour local(const SurfacePoint&, Vec3 mirror, Colour weight);
     AovVisit& visitOf(const SurfacePoint&);
     AovLight lightAt(const SurfacePoint&, Vec3 mirror, const Light&);
     void recordCasters(const Ray& toLight, double distance);
@@ -71,17 +71,17 @@ AovVisit& Walk::visitOf(const SurfacePoint& point) {
     const bool isBack = sidesDiffer && point.isBack;
     for (AovVisit& visit : pixel_.visits)
         if (visit.body == body && visit.isBack == isBack) return visit;
-    return pixel_.visits.emplace_back(AovVisit{body, isBack, 0, {}, {}, {}, {}});
+    return pixel_.visits.emplace_back(AovVisit{body, isBack, {}, {}, {}, {}, {}});
 }
 
-Colour Walk::local(const SurfacePoint& point, Vec3 mirror, double weight) {
+Colour Walk::local(const SurfacePoint& point, Vec3 mirror, Colour weight) {
     const BodyAppearance& body = world_.appearanceOf(point.element);
     Colour lit, highlight, sum = body.ambient[point.isBack];
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         const Light& light = lights_[i];
         const AovLight at = lightAt(point, mirror, light);
         if (at.lambert == 0) continue;
-        if (weight > 0) {
+        if (!isBlack(weight)) {
             const Vec3 toLight = light.position - point.position;
             recordCasters({point.position, normalised(toLight), {point.element, point.viewerSide}},
                           length(toLight));
@@ -93,7 +93,7 @@ Colour Walk::local(const SurfacePoint& point, Vec3 mirror, double weight) {
         lit += diffuse, highlight += specular, sum += share;
         pixel_.lightShare[i] += weight * share;
     }
-    if (weight > 0) {
+    if (!isBlack(weight)) {
         AovVisit& visit = visitOf(point);
         visit.weight += weight, visit.lit += weight * lit, visit.highlight += weight * highlight;
     }
@@ -104,22 +104,24 @@ Colour Walk::beyond(const Ray& ray, const Path& path, const SurfacePoint& point,
     if (path.levelsLeft == 0) return {};
     const BodyAppearance& body = world_.appearanceOf(point.element);
     Colour sum;
-    if (body.reflection > 0 || path.weight > 0) {
+    if (body.reflection > 0 || !isBlack(path.weight)) {
         const Ray next{point.position, mirror, {point.element, point.viewerSide}};
         const Colour brought = follow(next, {path.weight * body.reflection, path.levelsLeft - 1, path.media});
         sum += body.reflection * brought;
-        if (path.weight > 0) visitOf(point).reflected += path.weight * brought;
+        if (!isBlack(path.weight)) visitOf(point).reflected += path.weight * brought;
         if (isCamera && body.reflection > 0) pixel_.reflectedBody = bodyMetBy(next);
     }
-    if (body.transmission > 0) {
+    if (!isBlack(body.transmission)) {
         Transmission onward = transmit(world_, path.media, world_.bodyOf(point.element), ray.direction,
                                        point.normal, mirror, point.viewerSide);
         const Ray next{point.position, onward.direction, {point.element, onward.side}};
+        const double ct = body.totalReflection;
+        const Colour passes = onward.isReflected ? Colour{ct, ct, ct} : body.transmission;
         const Colour brought =
-            follow(next, {path.weight * body.transmission, path.levelsLeft - (onward.isContinued ? 0 : 1),
+            follow(next, {path.weight * passes, path.levelsLeft - (onward.isContinued ? 0 : 1),
                           std::move(onward.media)});
-        sum += body.transmission * brought;
-        if (path.weight > 0) visitOf(point).transmitted += path.weight * brought;
+        sum += passes * brought;
+        if (!isBlack(path.weight)) visitOf(point).transmitted += path.weight * passes * brought * (1 / ct);
         if (isCamera) pixel_.transmittedBody = bodyMetBy(next);
     }
     return sum;
@@ -132,7 +134,7 @@ Colour Walk::follow(const Ray& ray, const Path& path) {
         return world_.background;
     }
     const SurfacePoint point = surfacePoint(world_, ray, *hit);
-    if (path.weight > 0) pixel_.secondary[world_.bodyOf(point.element).index] = true;
+    if (!isBlack(path.weight)) pixel_.secondary[world_.bodyOf(point.element).index] = true;
     const Vec3 mirror = mirrored(ray.direction, point.normal);
     return local(point, mirror, path.weight) + beyond(ray, path, point, mirror, false);
 }
@@ -140,7 +142,7 @@ Colour Walk::follow(const Ray& ray, const Path& path) {
 void Walk::fromCamera(const Ray& ray) {
     const auto hit = nearestHit(world_, ray);
     if (!hit) {
-        pixel_.backgroundWeight = 1;
+        pixel_.backgroundWeight = {1, 1, 1};
         return;
     }
     const SurfacePoint point = surfacePoint(world_, ray, *hit);
@@ -150,8 +152,8 @@ void Walk::fromCamera(const Ray& ray) {
     pixel_.isBack = point.isBack;
     const Vec3 mirror = mirrored(ray.direction, point.normal);
     for (std::size_t i = 0; i < lights_.size(); ++i) pixel_.lights[i] = lightAt(point, mirror, lights_[i]);
-    local(point, mirror, 1);
-    beyond(ray, {1, world_.levels, world_.cameraMedia}, point, mirror, true);
+    local(point, mirror, {1, 1, 1});
+    beyond(ray, {{1, 1, 1}, world_.levels, world_.cameraMedia}, point, mirror, true);
 }
 
 } // namespace
@@ -164,8 +166,9 @@ AovPixel aovPixel(const World& world, std::span<const Light> lights, int x, int 
     pixel.secondary.resize(world.bodies.size());
     pixel.casting.resize(world.bodies.size());
     trace::Walk(world, lights, pixel).fromCamera(world.camera.through(x, y));
-    std::stable_sort(pixel.visits.begin(), pixel.visits.end(),
-                     [](const AovVisit& a, const AovVisit& b) { return a.weight > b.weight; });
+    std::stable_sort(pixel.visits.begin(), pixel.visits.end(), [](const AovVisit& a, const AovVisit& b) {
+        return maxComponent(a.weight) > maxComponent(b.weight);
+    });
     return pixel;
 }
 

@@ -14,18 +14,18 @@ namespace yarte {
 
 /// One light as seen from the camera ray's hit.
 struct AovLight {
-    double arriving = 0; ///< part of its light that shadows leave; 0 too where it is behind the surface
-    double lambert = 0;  ///< N.L, 0 where the light is behind the surface
-    double mirror = 0;   ///< R.L, 0 where negative: Phong's base
+    Colour arriving;    ///< part of its light that shadows leave; black too where it is behind the surface
+    double lambert = 0; ///< N.L, 0 where the light is behind the surface
+    double mirror = 0;  ///< R.L, 0 where negative: Phong's base
 };
 
 /// What a body adds to a pixel, whichever rays met it: sums over these rays, each with its weight, the
-/// product of the cr and ct on its way. The pixel's colour changes by so much when one of the body's
-/// properties grows by 1.
+/// product of the cr and of the ct and tints on its way. The pixel's colour changes by so much when one of
+/// the body's properties grows by 1.
 struct AovVisit {
     int body = -1;       ///< index into Scene::bodies
     bool isBack = false; ///< of a body with back colours: these are those of its back
-    double weight = 0;   ///< ambient colour
+    Colour weight;       ///< ambient colour
     Colour lit;          ///< diffuse colour
     Colour highlight;    ///< specular colour
     Colour reflected;    ///< cr; mirrored rays are followed for this where cr is 0, too
@@ -42,7 +42,7 @@ struct AovPixel {
     int reflectedBody = -1;   ///< first met by the mirrored ray of a body with cr > 0
     int transmittedBody = -1; ///< first met by the ray transmitted by a body with ct > 0
 
-    double backgroundWeight = 0;    ///< sum of the weights of the rays that met nothing
+    Colour backgroundWeight;        ///< sum of the weights of the rays that met nothing
     std::vector<Colour> lightShare; ///< what each light adds to the pixel's colour
     std::vector<AovVisit> visits;   ///< one for each body (and side, if they differ), the heaviest first
 

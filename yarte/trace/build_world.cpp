@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 #include <type_traits>
 
 namespace yarte {
@@ -28,8 +29,9 @@ BodyAppearance appearance(const Material& m, const std::optional<BackColours>& b
             {m.specular, b.specular},
             m.exponent,
             m.reflection,
-            m.transmission,
-            m.index};
+            m.index,
+            transmittance(m),
+            transmits(m) ? m.transmission : 0};
 }
 
 class Builder {
@@ -179,14 +181,21 @@ Tree treeOf(const World& world) {
 }
 
 void listTransmissions(World& world) {
-    std::vector<double>& list = world.transmissions;
+    std::vector<Colour>& list = world.transmissions;
+    const auto precedes = [](Colour a, Colour b) {
+        return std::tuple(a.r, a.g, a.b) < std::tuple(b.r, b.g, b.b);
+    };
     for (const BodyAppearance& body : world.bodies)
-        if (body.transmission > 0) list.push_back(body.transmission);
-    std::sort(list.begin(), list.end());
+        if (!isBlack(body.transmission)) {
+            const double ct = body.totalReflection;
+            world.isTinted |= body.transmission != Colour{ct, ct, ct};
+            list.push_back(body.transmission);
+        }
+    std::sort(list.begin(), list.end(), precedes);
     list.erase(std::unique(list.begin(), list.end()), list.end());
     for (BodyAppearance& body : world.bodies)
         body.transmissionLevel = static_cast<std::uint32_t>(
-            std::lower_bound(list.begin(), list.end(), body.transmission) - list.begin());
+            std::lower_bound(list.begin(), list.end(), body.transmission, precedes) - list.begin());
 }
 
 /// How often the view axis, followed in one direction, leaves each transmissive body more than it enters it,
@@ -201,7 +210,7 @@ Leaving leavingAlong(const World& world, Vec3 direction) {
     const Ray axis{world.camera.position, direction, {}};
     for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
         const std::uint32_t body = world.bodyOf({i}).index;
-        if (world.bodies[body].transmission == 0) continue;
+        if (isBlack(world.bodies[body].transmission)) continue;
         world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
             if constexpr (std::is_same_v<Shape, trace::Plane>) { // left in one direction at most: being in it
                                                                  // is enough

@@ -28,9 +28,9 @@ Colour localColour(const World& world, const SurfacePoint& point, Vec3 mirrorDir
         const double cosine = dot(point.normal, direction);
         if (!(cosine > 0)) continue; // also where the light lies on the point itself
         ++shadowRays;
-        const double arriving =
+        const Colour arriving =
             transmittance(world, {point.position, direction, {point.element, point.viewerSide}}, distance);
-        if (arriving == 0) continue;
+        if (isBlack(arriving)) continue;
         const double highlight = dot(mirrorDirection, direction);
         Colour reflected = diffuse * cosine;
         if (highlight > 0) reflected += specular * power(highlight, body.exponent);

@@ -47,28 +47,29 @@ std::optional<Hit> nearest(const World& world, const Ray& ray, ForEach&& forEach
 }
 
 template <class ForEach>
-double throughput(const World& world, const Ray& ray, double distance, ForEach&& forEach) {
+Colour throughput(const World& world, const Ray& ray, double distance, ForEach&& forEach) {
     double tMax = distance;
     bool isBlocked = false;
-    std::vector<double> factors; // stays empty, and allocates nothing, unless light passes through something
+    // Stays empty, and allocates nothing, unless light passes through something.
+    std::vector<std::uint32_t> levels;
     forEach(tMax, [&](ElementId element) {
-        const double transmission = world.appearanceOf(element).transmission;
+        const BodyAppearance& body = world.appearanceOf(element);
         world.visit(element, [&](const auto& shape) {
             visitCrossings(shape, ray, element == ray.from.element, [&](const Crossing& c) {
                 if (c.t >= distance) return;
-                if (transmission == 0)
+                if (isBlack(body.transmission))
                     isBlocked = true;
                 else
-                    factors.push_back(transmission);
+                    levels.push_back(body.transmissionLevel);
             });
         });
         return isBlocked;
     });
-    if (isBlocked) return 0;
-    // Multiplied in the order of size, so that the order of the search cannot show in the last bit.
-    std::sort(factors.begin(), factors.end());
-    double product = 1;
-    for (const double factor : factors) product *= factor;
+    if (isBlocked) return {};
+    // Multiplied in the order of the levels, so that the order of the search cannot show in the last bit.
+    std::sort(levels.begin(), levels.end());
+    Colour product{1, 1, 1};
+    for (const std::uint32_t level : levels) product = product * world.transmissions[level];
     return product;
 }
 
@@ -93,7 +94,7 @@ std::optional<Hit> nearestHitBrute(const World& world, const Ray& ray) {
     return nearest(world, ray, allElements(world));
 }
 
-double transmittanceBrute(const World& world, const Ray& ray, double distance) {
+Colour transmittanceBrute(const World& world, const Ray& ray, double distance) {
     return throughput(world, ray, distance, allElements(world));
 }
 
@@ -101,7 +102,7 @@ std::optional<Hit> nearestHit(const World& world, const Ray& ray) {
     return world.tree.empty() ? nearestHitBrute(world, ray) : nearest(world, ray, treeElements(world, ray));
 }
 
-double transmittance(const World& world, const Ray& ray, double distance) {
+Colour transmittance(const World& world, const Ray& ray, double distance) {
     return world.tree.empty() ? transmittanceBrute(world, ray, distance)
                               : throughput(world, ray, distance, treeElements(world, ray));
 }

@@ -17,11 +17,12 @@ struct Hit {
 /// The first crossing at t > 0; of two at equal t the one first in the file. Uses the tree if there is one.
 std::optional<Hit> nearestHit(const World&, const Ray&);
 
-/// The product of ct over all crossings at t in (0, distance): 0 if one is opaque. A sphere counts twice.
-double transmittance(const World&, const Ray&, double distance);
+/// The product of the transmissions of all crossings at t in (0, distance): 0 if one is opaque. A sphere
+/// counts twice.
+Colour transmittance(const World&, const Ray&, double distance);
 
 /// The same by testing every element: the reference that the tree is tested against.
 std::optional<Hit> nearestHitBrute(const World&, const Ray&);
-double transmittanceBrute(const World&, const Ray&, double distance);
+Colour transmittanceBrute(const World&, const Ray&, double distance);
 
 } // namespace yarte::trace

@@ -9,7 +9,7 @@ Colour Whitted::colour(const Ray& cameraRay, RayCounts& counts) {
     ++counts.camera;
     Colour sum;
     current_.clear();
-    current_.push_back({cameraRay, 1, world_.levels, world_.cameraMedia});
+    current_.push_back({cameraRay, {1, 1, 1}, world_.levels, world_.cameraMedia});
     while (!current_.empty()) {
         for (const Pending& pending : current_) sum += pending.weight * trace(pending, counts);
         current_.swap(reflected_);
@@ -33,19 +33,21 @@ Colour Whitted::trace(const Pending& pending, RayCounts& counts) {
                                   pending.levelsLeft - 1,
                                   pending.media});
         }
-        if (body.transmission > 0) transmit(pending, point, mirror, counts);
+        if (!isBlack(body.transmission)) transmit(pending, point, mirror, counts);
     }
     return localColour(world_, point, mirror, counts.shadow);
 }
 
 void Whitted::transmit(const Pending& pending, const SurfacePoint& point, Vec3 mirror, RayCounts& counts) {
+    const BodyAppearance& body = world_.appearanceOf(point.element);
     Transmission next = trace::transmit(world_, pending.media, world_.bodyOf(point.element),
                                         pending.ray.direction, point.normal, mirror, point.viewerSide);
     ++(next.isReflected ? counts.reflected : counts.transmitted);
-    transmitted_.push_back({{point.position, next.direction, {point.element, next.side}},
-                            pending.weight * world_.appearanceOf(point.element).transmission,
-                            pending.levelsLeft - (next.isContinued ? 0 : 1),
-                            std::move(next.media)});
+    transmitted_.push_back(
+        {{point.position, next.direction, {point.element, next.side}},
+         next.isReflected ? pending.weight * body.totalReflection : pending.weight * body.transmission,
+         pending.levelsLeft - (next.isContinued ? 0 : 1),
+         std::move(next.media)});
 }
 
 } // namespace yarte::trace

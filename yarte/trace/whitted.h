@@ -8,10 +8,10 @@
 
 namespace yarte::trace {
 
-/// I = local + cr I(reflected) + ct I(transmitted) [Whitted80, eq. 2, with SCENE-LANGUAGE's rules], summed
-/// without recursion: the rays of one generation after the other, each weighted by the product of the cr and
-/// ct on its way. All reflected rays of a generation come before all transmitted ones. Keeps its queues
-/// between calls.
+/// I = local + cr I(reflected) + ct tint I(transmitted) [Whitted80, eq. 2, with SCENE-LANGUAGE's rules],
+/// summed without recursion: the rays of one generation after the other, each weighted by the product of the
+/// coefficients on its way. All reflected rays of a generation come before all transmitted ones. Keeps its
+/// queues between calls.
 class Whitted {
 public:
     explicit Whitted(const World& world) : world_(world) {}
@@ -21,7 +21,7 @@ public:
 private:
     struct Pending {
         Ray ray;
-        double weight = 1;
+        Colour weight{1, 1, 1};
         int levelsLeft = 0;
         MediaStack media;
     };

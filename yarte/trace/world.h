@@ -40,7 +40,9 @@ struct BodyId {
 struct BodyAppearance {
     Colour ambient[2], diffuse[2],
         specular[2]; ///< [0] front, [1] back: the same unless the body has back colours
-    double exponent, reflection, transmission, index;
+    double exponent, reflection, index;
+    Colour transmission;                 ///< of light that passes: ct times the tint
+    double totalReflection;              ///< of light that is reflected totally: ct; 0 where none passes
     std::uint32_t transmissionLevel = 0; ///< place of `transmission` in World::transmissions
 };
 
@@ -68,8 +70,10 @@ public:
 
     trace::Tree tree;                        ///< over the elements but planes; empty for few of them
     std::vector<trace::ElementId> unbounded; ///< the planes: what the tree cannot hold
-    std::vector<double>
-        transmissions; ///< the distinct ct > 0 of the bodies, ascending; empty: nothing transmits
+    /// The distinct transmissions of the bodies but black, in an order of their own; empty: nothing
+    /// transmits.
+    std::vector<Colour> transmissions;
+    bool isTinted = false; ///< some body's transmission is not the same as its ct in all channels
     std::vector<trace::BodyId> cameraMedia; ///< transmissive closed bodies around the camera, outermost first
 
     trace::BodyId bodyOf(trace::ElementId id) const { return elementBody[id.index]; }

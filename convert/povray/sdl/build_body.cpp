@@ -110,7 +110,7 @@ private:
         endRun();
         bool isTransmissive = false;
         for (std::size_t i = first; i < bodies_.size(); ++i)
-            isTransmissive |= materials_[bodies_[i].material].transmission > 0;
+            isTransmissive |= transmits(materials_[bodies_[i].material]);
         if (u.isMerge && isTransmissive)
             tell(p.object, {"merge", Action::approximated, "a union: surfaces inside other parts are kept"});
     }

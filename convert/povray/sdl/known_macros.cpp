@@ -144,11 +144,12 @@ std::optional<Value> Parser::callKnown(Interpreter& in, const Macro& macro, cons
             const Colour c = colourOf(v);
             return exposure == 1 ? c : Colour{c.r * exposure, c.g * exposure, c.b * exposure};
         };
-        if (name == "Yarte_Material" || name == "Yarte_Two_Sided") {
-            const bool isTwoSided = name == "Yarte_Two_Sided";
+        if (name.ends_with("_Material") || name.ends_with("_Two_Sided")) {
+            const bool isTwoSided = name.ends_with("_Two_Sided");
             const std::size_t n = isTwoSided ? 6 : 3;
-            const Material material{lit(a[0]),          colourOf(a[1]),     colourOf(a[2]),    numberOf(a[n]),
-                                    numberOf(a[n + 1]), numberOf(a[n + 2]), numberOf(a[n + 3])};
+            Material material{lit(a[0]),          colourOf(a[1]),     colourOf(a[2]),    numberOf(a[n]),
+                              numberOf(a[n + 1]), numberOf(a[n + 2]), numberOf(a[n + 3])};
+            if (name.starts_with("Yarte_Tinted_")) material.tint = colourOf(a[n + 4]);
             Appearance look;
             auto& known = model_.exactMaterials;
             // A two-sided one follows the material that it belongs to.

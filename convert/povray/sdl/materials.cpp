@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -40,19 +41,22 @@ std::size_t hashOf(const Material& m) {
         .add(m.exponent)
         .add(m.reflection)
         .add(m.transmission)
+        .add(m.tint)
         .value();
 }
 
 /// What a back cannot have of its own.
 void compareBack(const Material& front, const Material& back, std::vector<Loss>& losses) {
-    const auto tell = [&](const char* property, double a, double b) {
-        if (a != b)
-            losses.push_back({property, Action::approximated, "the back has the front's", std::abs(a - b)});
+    const auto tell = [&](const char* property, Colour a, Colour b) {
+        if (a == b) return;
+        const double most = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+        losses.push_back({property, Action::approximated, "the back has the front's", most});
     };
+    const auto grey = [](double v) { return Colour{v, v, v}; };
     if (!isBlack(back.specular) && !isBlack(front.specular))
-        tell("back: phong_size", front.exponent, back.exponent);
-    tell("back: reflection", front.reflection, back.reflection);
-    tell("back: transmission", front.transmission, back.transmission);
+        tell("back: phong_size", grey(front.exponent), grey(back.exponent));
+    tell("back: reflection", grey(front.reflection), grey(back.reflection));
+    tell("back: transmission", transmittance(front), transmittance(back));
 }
 
 } // namespace
@@ -75,10 +79,10 @@ Materials::Materials(const Model& model, Report& report)
 
 Look Materials::lookOf(const Style& style, std::string_view kind, Span span) {
     if (style.exact && style.exact->id.index < all_.size())
-        return {style.exact->id, style.exact->back, all_[style.exact->id.index].transmission > 0};
+        return {style.exact->id, style.exact->back, transmits(all_[style.exact->id.index])};
     const Layers& layers = style.layers ? *style.layers : defaultLayers_;
     const Material front = reduced(layers, style.interior, kind, span, false);
-    Look look{add(front), {}, front.transmission > 0};
+    Look look{add(front), {}, transmits(front)};
     if (look.isTransmissive && style.interior)
         for (const std::string& word : style.interior->ignored)
             report_.tell(kind, span, {"interior: " + word, Action::dropped, "has no counterpart"});

@@ -150,26 +150,31 @@ private:
             tell("highlights", Action::approximated,
                  fmt::format("several of different width have the exponent of the strongest, {}",
                              printNumber(m.exponent)));
-        m.transmission = mean(filter_);
+        finishTransmission();
         if (isDark_)
             tell("transparency", Action::approximated, "filter + transmit exceed 1: POV-Ray darkens by that");
-        if (m.transmission < 0) m.transmission = 0, tell("transmission", Action::dropped, "it is negative");
-        if (const double off = distance(filter_, m.transmission); m.transmission > 0 && off > 1e-9)
-            tell("filter", Action::approximated, "light passes untinted, the mean of the channels", off);
         if (m.transmission > 0) finishIndex();
         limit("ambient", m.ambient), limit("diffuse", m.diffuse), limit("specular", m.specular);
         if (m.reflection < 0) m.reflection = 0, tell("reflection", Action::dropped, "it is negative");
         if (m.exponent < 0) m.exponent = 0, tell("phong_size", Action::approximated, "it is negative: 0");
     }
 
+    /// All of what passes is said by the tint: POV-Ray does not dim what is reflected totally, and with ct =
+    /// 1 YARTE does not either.
+    void finishTransmission() {
+        limit("transmission", filter_);
+        if (isBlack(filter_)) return;
+        surface_.material.transmission = 1;
+        surface_.material.tint = filter_;
+    }
+
     void finishIndex() {
         Material& m = surface_.material;
         m.index = index_;
         if (!(m.index > 0)) m.index = 1, tell("ior", Action::approximated, "not positive: 1");
-        if (m.index != 1 && m.transmission != 1)
+        if (m.index != 1 && m.reflection > 0)
             tell("total internal reflection", Action::approximated,
-                 "is dimmed as the light that passes; in POV-Ray it has its full brightness",
-                 1 - m.transmission);
+                 "the reflection of the finish is added to it; in POV-Ray it takes its place", m.reflection);
         if (m.index == 1)
             tell("levels", Action::approximated,
                  "a ray that passes unbent counts as one more; not in POV-Ray");

@@ -20,6 +20,7 @@ void expectNear(const Material& got, const Material& expected, double tolerance 
     EXPECT_NEAR(got.reflection, expected.reflection, tolerance);
     EXPECT_NEAR(got.transmission, expected.transmission, tolerance);
     EXPECT_NEAR(got.index, expected.index, tolerance);
+    expectNear(got.tint, expected.tint, tolerance);
 }
 
 TEST(GltfMaterial, ADielectricScattersAndShines) {
@@ -53,6 +54,20 @@ TEST(GltfMaterial, GlassRefractsOnlyWhereItIsThick) {
     expectNear(toPhong(m), {{}, {}, {}, 0, 0, 1, 1.33});
 }
 
+TEST(GltfMaterial, GlassIsTintedByItsBaseColour) {
+    PbrMaterial m;
+    m.base = {0.2, 0.8, 0.4};
+    m.metallic = 0;
+    m.roughness = 1;
+    m.transmission = 0.5;
+    expectNear(toPhong(m), {{0.01, 0.04, 0.02}, {0.1, 0.4, 0.2}, {}, 0, 0, 0.4, 1, {0.25, 1, 0.5}});
+    m.alpha = 0.5; // half of the light passes beside it
+    expectNear(toPhong(m),
+               {{0.005, 0.02, 0.01}, {0.05, 0.2, 0.1}, {}, 0, 0, 0.7, 1, {0.55 / 0.7, 1, 0.6 / 0.7}});
+    m.base = {}, m.alpha = 1;
+    expectNear(toPhong(m), {{}, {}, {}, 0, 0, 0, 0});
+}
+
 TEST(GltfMaterial, UnlitIsAmbientAlone) {
     PbrMaterial m;
     m.base = {0.2, 0.4, 0.6};
@@ -80,6 +95,14 @@ TEST(GltfMaterial, WritingIsReadingsInverse) {
     expectNear(toPhong(toPbr(painted)), painted, 1e-9);
     const Material glass{{0.03, 0.03, 0.03}, {0.2, 0.2, 0.2}, {0.3, 0.3, 0.3}, 50, 0, 0.7, 1.5};
     expectNear(toPhong(toPbr(glass)), glass, 1e-9);
+    Material green{{0.02, 0.06, 0.04}, {0.1, 0.3, 0.2}, {0.3, 0.3, 0.3}, 50, 0, 0.6, 1.5};
+    green.tint = {1.0 / 3, 1, 2.0 / 3}; // its own colour's hue
+    expectNear(toPhong(toPbr(green)), green, 1e-9);
+    Material clear{{}, {}, {0.3, 0.3, 0.3}, 50, 0, 0.6, 1.5, {1, 0.5, 0}}; // without any other hue
+    const PbrMaterial shown = toPbr(clear);
+    expectNear(shown.base, {0.6, 0.3, 0});
+    clear.ambient = toPhong(shown).ambient; // viewers' surroundings
+    expectNear(toPhong(shown), clear, 1e-9);
 }
 
 } // namespace

@@ -17,7 +17,10 @@ namespace yarte::trace::HWY_NAMESPACE {
 
 void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, Workspace& memory,
                 RayCounts& counts) {
-    WhittedLanes(world, memory, counts).render(tile, pixels, stride);
+    if (world.isTinted)
+        WhittedLanes<true>(world, memory, counts).render(tile, pixels, stride);
+    else
+        WhittedLanes<false>(world, memory, counts).render(tile, pixels, stride);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE

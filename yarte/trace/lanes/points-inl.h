@@ -8,6 +8,8 @@
 
 #include "yarte/trace/lanes/packet-inl.h"
 
+#include <type_traits>
+
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
@@ -21,6 +23,7 @@ HWY_INLINE C3 spread(Colour c) { return {set(c.r), set(c.g), set(c.b)}; }
 HWY_INLINE C3 select(M mask, C3 yes, C3 no) {
     return {select(mask, yes.r, no.r), select(mask, yes.g, no.g), select(mask, yes.b, no.b)};
 }
+HWY_INLINE M isLit(V v) { return v != set(0); }
 HWY_INLINE M isLit(C3 c) {
     const V zero = set(0);
     return hn::Or(c.r != zero, hn::Or(c.g != zero, c.b != zero));
@@ -30,14 +33,45 @@ struct alignas(64) ColourPacket {
     double r[lanes], g[lanes], b[lanes];
     HWY_INLINE C3 at(std::size_t i) const { return {load(r + i), load(g + i), load(b + i)}; }
     HWY_INLINE void set(std::size_t i, C3 c) { store(c.r, r + i), store(c.g, g + i), store(c.b, b + i); }
+    void set(std::size_t lane, Colour c) { r[lane] = c.r, g[lane] = c.g, b[lane] = c.b; }
 };
+
+struct alignas(64) GreyPacket {
+    double v[lanes];
+    HWY_INLINE V at(std::size_t i) const { return load(v + i); }
+    HWY_INLINE void set(std::size_t i, V value) { store(value, v + i); }
+    void set(std::size_t lane, Colour c) { v[lane] = c.r; }
+};
+
+/// What is left of light on its way: one number for all channels, unless there are tints in the world.
+template <bool isTinted>
+using Passing = std::conditional_t<isTinted, C3, V>;
+template <bool isTinted>
+using PassingPacket = std::conditional_t<isTinted, ColourPacket, GreyPacket>;
+
+/// The same for all channels.
+template <bool isTinted>
+HWY_INLINE Passing<isTinted> passing(V v) {
+    if constexpr (isTinted)
+        return {v, v, v};
+    else
+        return v;
+}
+template <bool isTinted>
+HWY_INLINE Passing<isTinted> passing(Colour c) {
+    if constexpr (isTinted)
+        return spread(c);
+    else
+        return set(c.r);
+}
 
 /// Surface points and their materials, lane by lane. Lanes without a hit hold zeros.
 struct alignas(64) PointPacket {
     double px[lanes], py[lanes], pz[lanes]; ///< position
     double nx[lanes], ny[lanes], nz[lanes]; ///< unit normal, turned to face the viewer
     double body[lanes];                     ///< index of the body, or noElement
-    double exponent[lanes], reflection[lanes], transmission[lanes];
+    double exponent[lanes], reflection[lanes];
+    double totalReflection[lanes]; ///< 0 where nothing passes
     ColourPacket ambient, diffuse, specular;
 
     HWY_INLINE V3 position(std::size_t i) const { return {load(px + i), load(py + i), load(pz + i)}; }

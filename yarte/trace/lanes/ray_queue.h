@@ -17,7 +17,30 @@ namespace yarte::trace {
 /// All components are doubles: ids, levels and flags are small integers, which doubles hold exactly.
 class RayQueue {
 public:
-    enum Component { ox, oy, oz, dx, dy, dz, from, inside, weight, pixel, levels, media, componentCount };
+    /// The weight is one number, or, where there are tints, one for each channel.
+    enum Component {
+        ox,
+        oy,
+        oz,
+        dx,
+        dy,
+        dz,
+        from,
+        inside,
+        pixel,
+        levels,
+        media,
+        weight,
+        weightG,
+        weightB,
+        componentCount
+    };
+
+    /// Begins anew, empty.
+    void start(bool isTinted) {
+        components_ = isTinted ? componentCount : weight + 1;
+        size_ = 0;
+    }
 
     std::size_t size() const { return size_; }
     const double* at(Component c, std::size_t i) const { return data_.get() + c * capacity_ + i; }
@@ -33,7 +56,7 @@ public:
         const std::size_t capacity =
             std::max<std::size_t>(2 * capacity_, (size_ + count + slack + 63) / 64 * 64);
         Data data(new (alignment) double[capacity * componentCount]);
-        for (std::size_t c = 0; c < componentCount && size_ > 0; ++c)
+        for (std::size_t c = 0; c < components_ && size_ > 0; ++c)
             std::copy_n(data_.get() + c * capacity_, size_, data.get() + c * capacity);
         data_ = std::move(data), capacity_ = capacity;
     }
@@ -44,14 +67,14 @@ public:
     void append(const RayQueue& other) {
         if (other.size_ == 0) return;
         reserve(other.size_);
-        for (int c = 0; c < componentCount; ++c)
+        for (std::size_t c = 0; c < components_; ++c)
             std::copy_n(other.at(Component(c), 0), other.size_, end(Component(c)));
         grow(other.size_);
     }
     /// Repeats the last ray behind the end, so that whole vectors can be loaded there.
     void pad(std::size_t count) {
         reserve(count);
-        for (int c = 0; c < componentCount; ++c)
+        for (std::size_t c = 0; c < components_; ++c)
             std::fill_n(end(Component(c)), count, *(end(Component(c)) - 1));
     }
 
@@ -64,6 +87,7 @@ private:
     using Data = std::unique_ptr<double[], Free>;
 
     Data data_;
+    std::size_t components_ = componentCount; ///< in use
     std::size_t capacity_ = 0, size_ = 0;
 };
 

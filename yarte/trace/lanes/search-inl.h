@@ -129,12 +129,12 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
 
 /// What is known of the light of each lane while its way is searched; flags and counts as doubles.
 struct alignas(64) ShadowPacket {
-    /// Worlds with more distinct ct than this have their dimmed lanes traced one by one.
+    /// Worlds with more distinct transmissions than this have their dimmed lanes traced one by one.
     static constexpr std::size_t maxLevels = 4;
 
     double distance[lanes];
     double blocked[lanes];
-    /// Surfaces of each ct of World::transmissions; those beyond count in the last.
+    /// Surfaces of each of World::transmissions; those beyond count in the last.
     double crossed[maxLevels][lanes];
 };
 
@@ -150,7 +150,7 @@ HWY_INLINE void castShadow(const Shape& shape, ElementId element, const World& w
         const M crossed = hn::Or(enters, leaves);
         if (!any(crossed)) continue;
         const BodyAppearance& body = world.appearanceOf(element);
-        if (body.transmission == 0) {
+        if (isBlack(body.transmission)) {
             store(select(crossed, set(1), load(shadow.blocked + at)), shadow.blocked + at);
         } else {
             const std::size_t level =

@@ -27,7 +27,8 @@ HWY_INLINE void blendAppearance(const BodyAppearance& body, double index, const 
             blend(points.specular, body.specular);
         store(select(mine, set(body.exponent), load(points.exponent + at)), points.exponent + at);
         store(select(mine, set(body.reflection), load(points.reflection + at)), points.reflection + at);
-        store(select(mine, set(body.transmission), load(points.transmission + at)), points.transmission + at);
+        store(select(mine, set(body.totalReflection), load(points.totalReflection + at)),
+              points.totalReflection + at);
     }
 }
 
@@ -82,35 +83,38 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
 
 /// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,
 /// multiplied in the same order.
+template <bool isTinted>
 HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, ShadowPacket& shadow,
-                                double* arriving) {
+                                PassingPacket<isTinted>& arriving) {
     const std::size_t levels = std::min(world.transmissions.size(), ShadowPacket::maxLevels);
     for (std::size_t level = 0; level < levels; ++level)
         for (std::size_t at = 0; at < lanes; at += half) store(set(0), shadow.crossed[level] + at);
     findShadows(world, rays, shadow);
-    for (std::size_t at = 0; at < lanes; at += half) store(set(1) - load(shadow.blocked + at), arriving + at);
+    for (std::size_t at = 0; at < lanes; at += half)
+        arriving.set(at, passing<isTinted>(set(1) - load(shadow.blocked + at)));
     for (std::size_t level = 0; level < levels; ++level)
         for (std::size_t at = 0; at < lanes; at += half) {
-            const V factor = set(world.transmissions[level]);
+            const auto factor = passing<isTinted>(world.transmissions[level]);
             for (V left = load(shadow.crossed[level] + at); any(left > set(0)); left = left - set(1))
-                store(select(left > set(0), load(arriving + at) * factor, load(arriving + at)),
-                      arriving + at);
+                arriving.set(at, select(left > set(0), arriving.at(at) * factor, arriving.at(at)));
         }
     if (world.transmissions.size() <= ShadowPacket::maxLevels) return;
     for (std::size_t lane = 0; lane < lanes; ++lane)
         if (shadow.blocked[lane] == 0 && shadow.crossed[ShadowPacket::maxLevels - 1][lane] > 0)
-            arriving[lane] = transmittance(world, rays.ray(lane), shadow.distance[lane]);
+            arriving.set(lane, transmittance(world, rays.ray(lane), shadow.distance[lane]));
 }
 
 /// localColour of yarte/trace/phong.h for the lanes with a hit; `mirrors` are the mirror directions of the
 /// rays.
+template <bool isTinted>
 HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const PointPacket& points,
                                const RayPacket& mirrors, ColourPacket& sums, std::uint64_t& shadowRays) {
     const V zero = set(0);
     for (std::size_t at = 0; at < lanes; at += half) sums.set(at, points.ambient.at(at));
     RayPacket toLight;
     ShadowPacket shadow;
-    alignas(64) double cosines[lanes], arriving[lanes];
+    PassingPacket<isTinted> arriving;
+    alignas(64) double cosines[lanes];
     for (const Light& light : world.lights) {
         bool someLit = false;
         for (std::size_t at = 0; at < lanes; at += half) {
@@ -130,10 +134,10 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
             shadowRays += hn::CountTrue(D(), lit);
         }
         if (!someLit) continue;
-        arrivingLight(world, toLight, shadow, arriving);
+        arrivingLight<isTinted>(world, toLight, shadow, arriving);
         for (std::size_t at = 0; at < lanes; at += half) {
-            const V light01 = load(arriving + at);
-            const M arrives = light01 != zero;
+            const Passing<isTinted> light01 = arriving.at(at);
+            const M arrives = isLit(light01);
             if (!any(arrives)) continue;
             const V highlight = dot(mirrors.direction(at), toLight.direction(at));
             C3 reflected = points.diffuse.at(at) * load(cosines + at);

@@ -13,11 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
+template <bool isTinted>
 class WhittedLanes {
 public:
     WhittedLanes(const World& world, Workspace& memory, RayCounts& counts)
         : world_(world), counts_(counts), media_(world), sums_(memory.sums), current_(memory.current),
-          reflected_(memory.reflected), transmitted_(memory.transmitted) {}
+          reflected_(memory.reflected), transmitted_(memory.transmitted) {
+        for (RayQueue* queue : {&current_, &reflected_, &transmitted_}) queue->start(isTinted);
+    }
 
     void render(Tile tile, Colour* pixels, std::size_t stride) {
         // Small enough for the queues of deep recursions to stay in the cache.
@@ -76,12 +79,27 @@ private:
         put(RayQueue::ox, set(camera.position.x)), put(RayQueue::oy, set(camera.position.y));
         put(RayQueue::oz, set(camera.position.z));
         put(RayQueue::dx, d.x), put(RayQueue::dy, d.y), put(RayQueue::dz, d.z);
-        put(RayQueue::from, set(noElement)), put(RayQueue::inside, set(0)), put(RayQueue::weight, set(1));
+        put(RayQueue::from, set(noElement)), put(RayQueue::inside, set(0));
+        putWeight(passing<isTinted>(set(1)), put);
         put(RayQueue::levels, set(world_.levels)), put(RayQueue::media, set(0));
     }
 
     HWY_INLINE V queued(RayQueue::Component c, std::size_t i) const {
         return hn::LoadU(D(), current_.at(c, i));
+    }
+    HWY_INLINE Passing<isTinted> queuedWeight(std::size_t i) const {
+        if constexpr (isTinted)
+            return {queued(RayQueue::weight, i), queued(RayQueue::weightG, i), queued(RayQueue::weightB, i)};
+        else
+            return queued(RayQueue::weight, i);
+    }
+    template <class Put>
+    HWY_INLINE static void putWeight(Passing<isTinted> weight, const Put& put) {
+        if constexpr (isTinted)
+            put(RayQueue::weight, weight.r), put(RayQueue::weightG, weight.g),
+                put(RayQueue::weightB, weight.b);
+        else
+            put(RayQueue::weight, weight);
     }
 
     HWY_INLINE void loadPacket(std::size_t first, RayPacket& rays) const {
@@ -106,7 +124,7 @@ private:
             const V3 d = rays.direction(at), n = points.normal(at);
             mirrors.setDirection(at, normalised(d - n * (set(2) * dot(d, n))));
         }
-        localColours(world_, hits, points, mirrors, colours, counts_.shadow);
+        localColours<isTinted>(world_, hits, points, mirrors, colours, counts_.shadow);
         addColours(first, count, hits, colours);
         if (world_.levels == 0) return;
         for (std::size_t at = 0; at < lanes; at += half) {
@@ -114,7 +132,7 @@ private:
                                      queued(RayQueue::levels, first + at) > set(0));
             const M reflects = hn::And(goesOn, load(points.reflection + at) > set(0));
             if (any(reflects)) pushReflected(first + at, at, reflects, hits, points, mirrors);
-            const M transmits = hn::And(goesOn, load(points.transmission + at) > set(0));
+            const M transmits = hn::And(goesOn, load(points.totalReflection + at) > set(0));
             if (any(transmits)) pushTransmitted(first + at, at, transmits, rays, hits, points, mirrors);
         }
     }
@@ -123,7 +141,7 @@ private:
         for (std::size_t at = 0; at < lanes; at += half) {
             const M isHit = load(hits.element + at) != set(noElement);
             const C3 colour = select(isHit, colours.at(at), spread(world_.background));
-            colours.set(at, colour * queued(RayQueue::weight, first + at));
+            colours.set(at, colour * queuedWeight(first + at));
         }
         for (std::size_t i = 0; i < count; ++i)
             sums_[static_cast<std::size_t>(*current_.at(RayQueue::pixel, first + i))] +=
@@ -132,7 +150,7 @@ private:
 
     /// Appends the lanes of `mask` to `queue`; what stays as it was comes from the queue of this generation.
     HWY_INLINE void push(RayQueue& queue, M mask, std::size_t index, V3 origin, V3 direction, V from,
-                         V inside, V weight, V levels, V media) {
+                         V inside, Passing<isTinted> weight, V levels, V media) {
         queue.reserve(half);
         alignas(64) std::int64_t order[half + 1];
         const std::size_t count = listLanes(mask, order);
@@ -142,7 +160,8 @@ private:
         };
         put(RayQueue::ox, origin.x), put(RayQueue::oy, origin.y), put(RayQueue::oz, origin.z);
         put(RayQueue::dx, direction.x), put(RayQueue::dy, direction.y), put(RayQueue::dz, direction.z);
-        put(RayQueue::from, from), put(RayQueue::inside, inside), put(RayQueue::weight, weight);
+        put(RayQueue::from, from), put(RayQueue::inside, inside);
+        putWeight(weight, put);
         put(RayQueue::pixel, queued(RayQueue::pixel, index)), put(RayQueue::levels, levels);
         put(RayQueue::media, media);
         queue.grow(count);
@@ -153,7 +172,7 @@ private:
         counts_.reflected += hn::CountTrue(D(), mask);
         const V viewerInside = flag(load(hits.entering + at) == set(0));
         push(reflected_, mask, index, points.position(at), mirrors.direction(at), load(hits.element + at),
-             viewerInside, queued(RayQueue::weight, index) * load(points.reflection + at),
+             viewerInside, queuedWeight(index) * load(points.reflection + at),
              queued(RayQueue::levels, index) - set(1), queued(RayQueue::media, index));
     }
 
@@ -162,6 +181,7 @@ private:
                                     const HitPacket& hits, const PointPacket& points,
                                     const RayPacket& mirrors) {
         alignas(64) double lanesOn[half], ratios[half], continued[half], after[half];
+        [[maybe_unused]] ColourPacket transmission; // of the lanes that are on, from 0
         store(flag(mask), lanesOn);
         for (std::size_t i = 0; i < half; ++i) {
             ratios[i] = 1, continued[i] = 0, after[i] = 0;
@@ -169,6 +189,7 @@ private:
             const ElementId element{static_cast<std::uint32_t>(hits.element[at + i])};
             const auto before = static_cast<MediaIndex>(*current_.at(RayQueue::media, index + i));
             const MediaPool::Transition& transition = media_.pass(before, world_.bodyOf(element));
+            if constexpr (isTinted) transmission.set(i, world_.appearanceOf(element).transmission);
             ratios[i] = transition.ratio, continued[i] = transition.isContinued, after[i] = transition.after;
         }
         const V zero = set(0), one = set(1), ratio = load(ratios);
@@ -179,12 +200,13 @@ private:
         const V3 refracted = normalised(d * ratio + n * (ratio * cosine - hn::Sqrt(greatest(k, zero))));
         const V3 direction = select(straight, d, select(mirrored, mirrors.direction(at), refracted));
         const V viewerInside = flag(load(hits.entering + at) == zero);
+        Passing<isTinted> passes = passing<isTinted>(load(points.totalReflection + at));
+        if constexpr (isTinted) passes = select(mirrored, passes, transmission.at(0));
         const std::size_t reflectedCount = hn::CountTrue(D(), hn::And(mask, mirrored));
         counts_.reflected += reflectedCount;
         counts_.transmitted += hn::CountTrue(D(), mask) - reflectedCount;
         push(transmitted_, mask, index, points.position(at), direction, load(hits.element + at),
-             select(mirrored, viewerInside, one - viewerInside),
-             queued(RayQueue::weight, index) * load(points.transmission + at),
+             select(mirrored, viewerInside, one - viewerInside), queuedWeight(index) * passes,
              queued(RayQueue::levels, index) - select(straight, zero, one),
              select(mirrored, queued(RayQueue::media, index), load(after)));
     }
