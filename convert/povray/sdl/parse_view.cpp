@@ -5,15 +5,19 @@
 #include <algorithm>
 
 namespace yarte::convert::povray::sdl {
-LightShape Parser::light(Interpreter& in, Object& object) {
+LightShape Parser::light(Interpreter& in) {
     LightShape light;
+    Vec3 pointAt{0, 0, 1};
+    bool isParallel = false;
     light.position = in.point();
     in.comma();
     const Rgbft c = in.colour();
     light.colour = {c.r, c.g, c.b};
     while (!in.peek().is('}')) {
         if (const auto transformation = acceptTransformation(in)) {
-            object.transform = then(object.transform, *transformation);
+            // At once: a point_at that comes later is not moved.
+            light.position = mapPoint(*transformation, light.position);
+            pointAt = mapPoint(*transformation, pointAt);
             continue;
         }
         if (in.accept(',')) continue;
@@ -30,6 +34,7 @@ LightShape Parser::light(Interpreter& in, Object& object) {
         } else if (w == "spotlight" || w == "cylinder" || w == "parallel" || w == "area_light" ||
                    w == "fade_distance" || w == "fade_power" || w == "projected_through") {
             light.kinds.emplace_back(w);
+            isParallel |= w == "parallel" || w == "cylinder";
             if (w == "area_light") {
                 in.vector3(), in.comma(), in.vector3(), in.comma(), in.number(), in.comma(), in.number();
             } else if (w == "projected_through") {
@@ -38,7 +43,7 @@ LightShape Parser::light(Interpreter& in, Object& object) {
                 in.number();
             }
         } else if (w == "point_at") {
-            in.vector3();
+            pointAt = in.vector3();
         } else if (w == "media_attenuation" || w == "media_interaction" || w == "area_illumination") {
             optionalFlag(in);
         } else if (in.accept('{')) {
@@ -47,6 +52,7 @@ LightShape Parser::light(Interpreter& in, Object& object) {
             in.expression();
         }
     }
+    if (isParallel) light.pointAt = pointAt;
     return light;
 }
 
