@@ -89,7 +89,13 @@ ObjectPtr Parser::object(Interpreter& in) {
         // The place of what is seen is where it is put, not where it was declared.
     } else {
         in.expect('{');
-        made->shape = shape(in, keyword);
+        // "sphere { NAME translate x }" copies, where a name is not a part.
+        const bool hasParts = keyword.text == "union" || keyword.text == "merge" ||
+                              keyword.text == "intersection" || keyword.text == "difference";
+        if (const auto named = hasParts ? std::nullopt : in.acceptNamed<ObjectPtr>())
+            *made = **named;
+        else
+            made->shape = shape(in, keyword);
     }
     made->span = keyword.span;
     modifiers(in, *made);

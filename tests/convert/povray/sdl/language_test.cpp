@@ -99,6 +99,16 @@ TEST(SdlLanguage, TransformationsComposeInTheirOrder) {
     EXPECT_NEAR(p.z, -3, 1e-15); // left-handed
 }
 
+TEST(SdlLanguage, AnObjectsKeywordTakesTheNameOfOne) {
+    const SdlRun run("#declare S = sphere { <1, 2, 3>, 4 } sphere { S translate x } union { S S scale 2 }\n"
+                     "#declare L = light_source { 1, 1 } light_source { L translate y }");
+    ASSERT_TRUE(run.model) << run.problems();
+    EXPECT_EQ(std::get<SphereShape>(run.model->objects.at(0)->shape).radius, 4);
+    EXPECT_EQ(run.model->objects.at(0)->transform, translation({1, 0, 0}));
+    EXPECT_EQ(std::get<UnionShape>(run.model->objects.at(1)->shape).parts.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<LightShape>(run.model->objects.at(2)->shape));
+}
+
 /// POV-Ray's shading of the plane y = 0, which is N.L.
 TEST(SdlLanguage, ParallelRaysAreParallelToTheirLightsAim) {
     struct Case {
