@@ -8,7 +8,10 @@ std::vector<OutputFile> convert(const Options& options, Sources& sources, Diagno
     std::string bytes = readFile(isStandardInput ? "/dev/stdin" : options.input);
     const std::string name = isStandardInput ? "<stdin>" : options.input.string();
     Conversion conversion{
-        .input = {sources.add(name, std::move(bytes)), options.input, {options.allowedFolders}},
+        .input = {sources.add(name, std::move(bytes)),
+                  options.input,
+                  {options.allowedFolders},
+                  options.writableFolder},
         .output = options.output,
         .options = options.writing,
         .sources = sources,

@@ -20,8 +20,9 @@ namespace yarte::convert {
 /// What is read: a text (or bytes) that is in `sources` already.
 struct Input {
     SourceId text;
-    std::filesystem::path file; ///< empty: standard input
-    ReadableFolders readable;   ///< besides the file's own folder
+    std::filesystem::path file;                      ///< empty: standard input
+    ReadableFolders readable;                        ///< besides the file's own folder
+    std::optional<std::filesystem::path> writable{}; ///< where a .pov program may write files; none: nowhere
 
     /// Where relative paths in the text start.
     std::filesystem::path folder() const { return file.has_parent_path() ? file.parent_path() : "."; }
@@ -33,7 +34,7 @@ struct WriteOptions {
     /// .gltf, .glb: how far triangles may be from curved shapes, in scene units; none: a part of the radius
     std::optional<double> chordError{};
     Resolution size{640, 480}; ///< of a .pov scene, which does not say it itself
-    bool canonical = false; ///< .yarte: mesh paths stay as they are and no mesh is written
+    bool canonical = false;    ///< .yarte: mesh paths stay as they are and no mesh is written
 };
 
 struct OutputFile {

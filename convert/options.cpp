@@ -14,7 +14,7 @@ namespace {
 
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string input, output, from, to, report, size, diagnostics = "text";
+    std::string input, output, from, to, report, size, writableFolder, diagnostics = "text";
     std::vector<std::string> allowedFolders;
     bool listFormats = false;
 };
@@ -49,6 +49,9 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
                    "Folder besides the input's own that it may read files from; may be repeated")
         ->type_name("DIR")
         ->allow_extra_args(false);
+    app.add_option("--allow-write", raw.writableFolder,
+                   "Folder that a .pov scene may write files in, by #fopen; default: it may not")
+        ->type_name("DIR");
     app.add_option("--diagnostics", raw.diagnostics, "How errors and warnings are printed")
         ->type_name("text|json")
         ->check(CLI::Validator(CLI::IsMember({"text", "json"})).description(""));
@@ -92,6 +95,7 @@ void complete(Options& options, const Raw& raw) {
     if (raw.input != "-") options.input = raw.input;
     if (raw.output != "-") options.output = raw.output;
     options.allowedFolders.assign(raw.allowedFolders.begin(), raw.allowedFolders.end());
+    if (!raw.writableFolder.empty()) options.writableFolder = raw.writableFolder;
     if (!raw.report.empty()) options.report = raw.report;
     options.jsonDiagnostics = raw.diagnostics == "json";
 }

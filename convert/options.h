@@ -16,6 +16,7 @@ struct Options {
     const Format* to = nullptr;          ///< can be written
     WriteOptions writing;
     std::vector<std::filesystem::path> allowedFolders;
+    std::optional<std::filesystem::path> writableFolder; ///< for the files that a .pov program writes
     std::optional<std::filesystem::path> report;
     bool strict = false;
     bool jsonDiagnostics = false;

@@ -33,6 +33,9 @@ struct AddShape {
     void operator()(const Plane& p) const { all.addPoint(footOn(p, scene.camera.position)); }
 };
 
+/// In sides of the rest: lights beyond only give a direction, and nothing is the larger for them.
+constexpr double distantLight = 1000;
+
 } // namespace
 
 void Surround::addBall(Vec3 centre, double radius) {
@@ -49,8 +52,11 @@ double Surround::longestSide() const {
 Surround surroundOf(const Scene& scene) {
     Surround all;
     all.addPoint(scene.camera.position);
-    for (const Light& light : scene.lights) all.addPoint(light.position);
     for (const Body& body : scene.bodies) std::visit(AddShape{scene, all}, body.shape);
+    const double side = all.longestSide();
+    const Vec3 centre = all.centre();
+    for (const Light& light : scene.lights)
+        if (side == 0 || length(light.position - centre) < distantLight * side) all.addPoint(light.position);
     return all;
 }
 

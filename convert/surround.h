@@ -19,7 +19,7 @@ struct Surround {
 };
 
 /// Around the camera, the lights and the bodies, or balls that hold them; of a plane, the point below the
-/// camera.
+/// camera. Lights that are very far away do not count.
 Surround surroundOf(const Scene&);
 
 /// The point of the plane that is nearest to `p`.

@@ -49,6 +49,8 @@ TEST(Extent, HoldsCameraLightsAndBodies) {
     EXPECT_EQ(extentOf(scene), 7);
     scene.bodies.push_back({Sphere{{-10, 0, 0}, 2}, {}, {}, {}});
     EXPECT_EQ(extentOf(scene), 12);
+    scene.lights.push_back({{0, 1e6, 0}, {1, 1, 1}}); // only a direction
+    EXPECT_EQ(extentOf(scene), 12);
     scene.meshes.push_back({"m", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 3}, {0, 1, 2}, {}, {}});
     scene.bodies.push_back({Mesh{{0}, 100, {}, {0, 0, 1}}, {}, {}, {}});
     EXPECT_EQ(extentOf(scene), 112); // from the sphere's -12 to the mesh's 100

@@ -108,6 +108,20 @@ TEST_F(YarteConvert, ReadsMeshesOutsideTheFolderOnlyWhenAllowed) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "out.pov"));
 }
 
+TEST_F(YarteConvert, LetsAScenesProgramWriteOnlyWhereItIsTold) {
+    std::filesystem::create_directory(folder_ / "b");
+    writeFile(folder_ / "scene.pov", "#fopen F \"made.inc\" write #write (F, \"sphere { 0, 1 }\") #fclose F\n"
+                                     "#include \"made.inc\"\n");
+    const ProgramResult refused = run({"scene.pov", "out.yarte"});
+    EXPECT_EQ(refused.exitCode, 1);
+    EXPECT_THAT(refused.err, HasSubstr("--allow-write"));
+    EXPECT_EQ(run({"scene.pov", "out.yarte", "--allow-write", "b"}).exitCode, 0);
+    EXPECT_EQ(bytes("b/made.inc"), "sphere { 0, 1 }");
+    EXPECT_THAT(bytes("out.yarte"), HasSubstr("sphere"));
+    EXPECT_EQ(run({"scene.pov", "out.yarte", "--allow-write", "no/such"}).exitCode, 3);
+    EXPECT_EQ(left(), (std::vector<std::string>{"b", "out.yarte", "scene.pov"}));
+}
+
 TEST_F(YarteConvert, CannotRunWithoutItsFiles) {
     const ProgramResult missing = run({"missing.yarte", "out.pov"});
     EXPECT_EQ(missing.exitCode, 3);

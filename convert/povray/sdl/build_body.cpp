@@ -1,7 +1,6 @@
 #include "convert/povray/sdl/build_body.h"
 
 #include "convert/povray/sdl/build_exact.h"
-#include "convert/povray/sdl/build_light.h"
 #include "convert/povray/sdl/build_polygon.h"
 #include "convert/povray/sdl/in_units.h"
 #include "convert/povray/sdl/round_mesh.h"
@@ -116,9 +115,10 @@ private:
     }
 
     void addShape(const LightShape& light, const Placed& p) {
-        Light built = buildLight(light, p.map, p.object.span, report_);
-        built.position = built.position / model_.unit;
-        if (isGood(check(built), p.object)) lights_.push_back(built);
+        std::optional<BuiltLight> built = buildLight(light, p.map, p.object.span, report_);
+        if (!built) return;
+        built->light.position = built->light.position / model_.unit;
+        if (isGood(check(built->light), p.object)) lights_.push_back(*built);
     }
 
     void addShape(const UnsupportedShape&, const Placed& p) { drop(p.object, "there is no such shape"); }
@@ -297,7 +297,7 @@ private:
     Materials materials_;
     Meshes meshes_;
     std::vector<Body> bodies_;
-    std::vector<Light> lights_;
+    std::vector<BuiltLight> lights_;
 
     TriangleRun run_;
     Look runLook_;

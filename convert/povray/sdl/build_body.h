@@ -1,6 +1,7 @@
 // The objects of an SDL file as bodies, lights as lights, in the order of the file.
 #pragma once
 
+#include "convert/povray/sdl/build_light.h"
 #include "convert/povray/sdl/build_mesh.h"
 #include "convert/povray/sdl/build_round.h"
 #include "yarte/base/diagnostic.h"
@@ -9,7 +10,7 @@ namespace yarte::convert::povray::sdl {
 
 struct BuiltObjects {
     std::vector<Body> bodies;
-    std::vector<Light> lights;
+    std::vector<BuiltLight> lights;
     std::vector<Material> materials;
     std::vector<MeshData> meshes;
 };

@@ -35,8 +35,12 @@ public:
                          {"everything", Action::added, "POV-Ray's default: at the origin, along z"});
         const bool isMirrored = isLeftHanded(camera);
         BuiltObjects objects = buildObjects(model_, isMirrored, {options_.chordError}, report_, diagnostics_);
-        scene_.bodies = std::move(objects.bodies), scene_.lights = std::move(objects.lights);
-        scene_.materials = std::move(objects.materials), scene_.meshes = std::move(objects.meshes);
+        scene_.bodies = std::move(objects.bodies), scene_.materials = std::move(objects.materials);
+        scene_.meshes = std::move(objects.meshes);
+        for (const BuiltLight& light : objects.lights) {
+            scene_.lights.push_back(placed(light, scene_, report_));
+            errors(check(scene_.lights.back()));
+        }
         settings();
         const double u = 1 / model_.unit;
         const Affine world{{u, 0, 0}, {0, u, 0}, {0, 0, isMirrored ? -u : u}, {}};

@@ -258,12 +258,11 @@ const std::unordered_map<std::string_view, Call>& calls() {
              return Vector::number(std::strtod(text.c_str(), nullptr));
          }},
         {"file_exists",
-         [](Interpreter& in, const Token& name) {
+         [](Interpreter& in, const Token&) {
              in.expect('(');
-             in.string();
+             const std::string file = in.string();
              in.expect(')');
-             in.report(name.span, "file_exists", "is not looked up: no is taken");
-             return Vector::number(0);
+             return Vector::number(in.fileExists(file));
          }},
         {"dimensions",
          [](Interpreter& in, const Token&) {

@@ -1,5 +1,5 @@
-// The directives that stand in the text: declarations, messages, and which file comes next. Those that choose
-// what is read are in flow.cpp.
+// The directives that stand in the text: declarations and messages. Those that choose what is read are in
+// flow.cpp, those of files in files.cpp.
 
 #include "convert/povray/sdl/interpreter.h"
 #include "convert/povray/sdl/words.h"
@@ -23,6 +23,10 @@ void Interpreter::directive(const Token& token) {
          }},
         {"macro", [](Interpreter& in, const Token& t) { in.defineMacro(t); }},
         {"include", [](Interpreter& in, const Token& t) { in.include(t); }},
+        {"fopen", [](Interpreter& in, const Token& t) { in.openFile(t); }},
+        {"fclose", [](Interpreter& in, const Token& t) { in.closeFile(t); }},
+        {"read", [](Interpreter& in, const Token& t) { in.readFromFile(t); }},
+        {"write", [](Interpreter& in, const Token& t) { in.writeToFile(t); }},
         {"version", [](Interpreter& in, const Token&) { in.setVersion(); }},
         {"debug", [](Interpreter& in, const Token& t) { in.message(t); }},
         {"render", [](Interpreter& in, const Token& t) { in.message(t); }},
@@ -44,11 +48,6 @@ void Interpreter::directive(const Token& token) {
     };
     const auto run = runs.find(token.text);
     if (run != runs.end()) return run->second(*this, token);
-    for (const char* file : {"fopen", "fclose", "read", "write"})
-        if (token.text == file)
-            fail("sdl.file-access",
-                 fmt::format("#{}: a scene that reads or writes files of its own is refused", file),
-                 token.span);
     fail("sdl.directive", fmt::format("unknown directive #{}", token.text), token.span);
 }
 
@@ -122,34 +121,6 @@ void Interpreter::message(const Token& directive) {
     if (directive.text == "warning")
         warn("sdl.warning-directive", fmt::format("#warning: {}", text), directive.span);
     if (directive.text == "debug" && environment_.debug) environment_.debug(text);
-}
-
-std::filesystem::path Interpreter::findInclude(const std::string& name, Span where) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path here = frame().file.has_parent_path() ? frame().file.parent_path() : ".";
-    for (const fs::path& folder : {here, folder_})
-        if (fs::is_regular_file(folder / name, ignored)) return folder / name;
-    for (const fs::path& folder : environment_.library)
-        if (fs::is_regular_file(folder / name, ignored)) return folder / name;
-    fail("sdl.include-missing",
-         fmt::format("no file '{}' in the scene's folder nor in POV-Ray's library", name), where);
-}
-
-void Interpreter::include(const Token& directive) {
-    const Span where = peek().span;
-    const std::string name = string();
-    const std::filesystem::path file = findInclude(name, where);
-    ReadableFolders readable = environment_.readable;
-    readable.folders.push_back(folder_);
-    for (const auto& folder : environment_.library) readable.folders.push_back(folder);
-    if (!readable.contain(file))
-        fail("sdl.include-refused", fmt::format("'{}' is outside the scene's folder", name), where);
-    // A file that is included again, as by a loop, is kept once.
-    SourceId& source = included_[file.string()];
-    if (!source.valid()) source = environment_.sources.add(file.string(), readFile(file));
-    enterFrame({Lexer(environment_.sources[source].text(), source), file, name, directive.span});
-    symbols_.enter();
 }
 
 } // namespace yarte::convert::povray::sdl

@@ -8,7 +8,7 @@ Interpreter::Interpreter(Environment environment, Statements& statements, Source
                          std::filesystem::path file)
     : environment_(std::move(environment)), statements_(statements),
       folder_(file.has_parent_path() ? file.parent_path() : "."), tokensLeft_(environment_.limits.tokens),
-      elementsLeft_(environment_.limits.elements) {
+      elementsLeft_(environment_.limits.elements), bytesLeft_(environment_.limits.written) {
     const Source& source = environment_.sources[text];
     frames_.push_back({Lexer(source.text(), text), std::move(file), source.name(), {}});
 }

@@ -46,7 +46,9 @@ struct Statements {
 struct Environment {
     Sources& sources;
     Diagnostics& diagnostics;
-    ReadableFolders readable;                     ///< besides the scene's own folder
+    ReadableFolders readable; ///< besides the scene's own folder
+    /// Where the program may write, and relative names of its files start; none: it may not.
+    std::optional<std::filesystem::path> writable{};
     std::vector<std::filesystem::path> library{}; ///< where includes are looked for last
     int width = 640, height = 480;                ///< image_width, image_height
     Limits limits{};
@@ -140,6 +142,10 @@ public:
     SourceId sceneText() const { return frames_.front().lexer.source(); }
     double languageVersion() const { return version_; }
     Random& random() { return random_; }
+    /// As file_exists: of the files that may be read.
+    bool fileExists(const std::string& name) const;
+    /// At the end of the program.
+    void closeFiles();
     /// Where the run is, outermost first: notes for a diagnostic.
     std::vector<DiagnosticNote> trace() const;
 
@@ -200,13 +206,27 @@ private:
     void caseReached(const Token&);
     bool parenthesised();
     bool continuesFor(const Block&) const;
-    void include(const Token&);
     void setVersion();
     void message(const Token&);
     enum class SkipTo { elseOrEnd, end, caseOrEnd };
     /// Skips text up to the directive that the current block stops at.
     Token skip(SkipTo, Span block);
-    std::filesystem::path findInclude(const std::string& name, Span where);
+
+    // files.cpp
+    void include(const Token&);
+    void openFile(const Token&);
+    void closeFile(const Token&);
+    void readFromFile(const Token&);
+    void writeToFile(const Token&);
+    std::shared_ptr<DataFile> openForWriting(const std::string& name, bool appends, Span where);
+    std::pair<SymbolPtr, std::shared_ptr<DataFile>> openedFile();
+    void finish(const DataFile&);
+    void spend(std::size_t bytes, Span where); ///< of what may be written
+    /// The file that a name in the text being read leads to.
+    std::optional<std::filesystem::path> lookUp(const std::string& name) const;
+    /// The text of the file that is found under `name`.
+    SourceId sourceOf(const std::string& name, Span where);
+    bool mayRead(const std::filesystem::path&) const;
 
     // macros.cpp
     void defineMacro(const Token&);
@@ -240,6 +260,8 @@ private:
     std::unordered_map<std::string, SourceId> included_; ///< by file
     std::uint64_t tokensLeft_;
     std::size_t elementsLeft_;
+    std::vector<std::shared_ptr<DataFile>> beingWritten_;
+    std::size_t bytesLeft_; ///< of what #write may write
     int nesting_ = 0;
 };
 

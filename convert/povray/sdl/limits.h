@@ -13,6 +13,7 @@ struct Limits {
     int nesting = 500;                    ///< of braces, brackets and parentheses: each takes stack
     std::size_t elements = 20'000'000;    ///< of all arrays that are made
     std::size_t stringLength = 1'000'000;
+    std::size_t written = 256u << 20; ///< bytes, by #write
     std::size_t objects = 5'000'000;
 };
 

@@ -142,6 +142,8 @@ struct LightShape {
     std::vector<std::string> kinds;
     bool isShadowless = false;
     ObjectPtr looksLike; ///< may be null
+    /// Of "parallel" and "cylinder": the rays are parallel to the way from `position` to it.
+    std::optional<Vec3> pointAt{};
 };
 
 /// What YARTE has no shape for: evaluated past. `kind` as written: "difference", "isosurface".

@@ -89,14 +89,20 @@ ObjectPtr Parser::object(Interpreter& in) {
         // The place of what is seen is where it is put, not where it was declared.
     } else {
         in.expect('{');
-        made->shape = shape(in, keyword, *made);
+        // "sphere { NAME translate x }" copies, where a name is not a part.
+        const bool hasParts = keyword.text == "union" || keyword.text == "merge" ||
+                              keyword.text == "intersection" || keyword.text == "difference";
+        if (const auto named = hasParts ? std::nullopt : in.acceptNamed<ObjectPtr>())
+            *made = **named;
+        else
+            made->shape = shape(in, keyword);
     }
     made->span = keyword.span;
     modifiers(in, *made);
     return made;
 }
 
-ObjectShape Parser::shape(Interpreter& in, const Token& keyword, Object& object) {
+ObjectShape Parser::shape(Interpreter& in, const Token& keyword) {
     const std::string_view kind = keyword.text;
     if (kind == "sphere") {
         SphereShape s{in.point()};
@@ -156,7 +162,7 @@ ObjectShape Parser::shape(Interpreter& in, const Token& keyword, Object& object)
     if (kind == "polygon") return polygon(in);
     if (kind == "mesh") return std::make_shared<const MeshShape>(mesh(in));
     if (kind == "mesh2") return std::make_shared<const MeshShape>(mesh2(in));
-    if (kind == "light_source") return light(in, object);
+    if (kind == "light_source") return light(in);
     if (kind == "union" || kind == "merge") {
         UnionShape all{{}, kind == "merge"};
         parts(in, all);

@@ -162,6 +162,7 @@ void Parser::statement(Interpreter& in) {
 Model Parser::parse(Interpreter& in) {
     model_ = {};
     while (!in.atEnd()) statement(in);
+    in.closeFiles();
     return std::move(model_);
 }
 

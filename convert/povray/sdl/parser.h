@@ -32,7 +32,7 @@ private:
 
     // parse_object.cpp
     ObjectPtr object(Interpreter&);
-    ObjectShape shape(Interpreter&, const Token& keyword, Object&);
+    ObjectShape shape(Interpreter&, const Token& keyword);
     void modifiers(Interpreter&, Object&);
     bool modifier(Interpreter&, Object&);
     void parts(Interpreter&, UnionShape&);
@@ -54,7 +54,7 @@ private:
     Texture defaultTexture() const { return model_.defaultTexture; }
 
     // parse_view.cpp
-    LightShape light(Interpreter&, Object&);
+    LightShape light(Interpreter&);
     CameraModel camera(Interpreter&, Span);
     void globalSettings(Interpreter&);
 

@@ -19,6 +19,7 @@ std::optional<Scene> readScene(Conversion& c) {
         .sources = c.sources,
         .diagnostics = c.diagnostics,
         .readable = c.input.readable,
+        .writable = c.input.writable,
         .library = {povrayLibrary},
         .width = c.options.size.width,
         .height = c.options.size.height,

@@ -32,6 +32,7 @@ struct Kind {
     std::string operator()(const Shared<CameraModel>&) const { return "a camera"; }
     std::string operator()(const Shared<ColourMap>&) const { return "a colour map"; }
     std::string operator()(const Shared<TextureMap>&) const { return "a map of textures"; }
+    std::string operator()(const std::shared_ptr<DataFile>&) const { return "an open file"; }
     std::string operator()(const Shared<OpaqueValue>& v) const { return "a " + v->kind; }
 };
 

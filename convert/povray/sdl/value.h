@@ -31,6 +31,7 @@ struct Vector {
 struct Array;
 struct Function;
 struct Spline;
+struct DataFile;
 
 /// colour_map and the like: what is left of it is the mean of its colours.
 struct ColourMap {
@@ -53,7 +54,7 @@ using ArrayPtr = std::shared_ptr<Array>;
 using Value = std::variant<std::monostate, Vector, std::string, ArrayPtr, Shared<Function>, Shared<Spline>,
                            ObjectPtr, Shared<Layers>, Shared<Pigment>, Shared<Finish>, Shared<Interior>,
                            Shared<Appearance>, Shared<Affine>, Shared<CameraModel>, Shared<ColourMap>,
-                           Shared<TextureMap>, Shared<OpaqueValue>>;
+                           Shared<TextureMap>, Shared<OpaqueValue>, std::shared_ptr<DataFile>>;
 
 /// "a number", "a vector of 3", "a string", "an object", ...
 std::string kindOf(const Value&);

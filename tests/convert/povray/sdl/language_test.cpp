@@ -99,6 +99,38 @@ TEST(SdlLanguage, TransformationsComposeInTheirOrder) {
     EXPECT_NEAR(p.z, -3, 1e-15); // left-handed
 }
 
+TEST(SdlLanguage, AnObjectsKeywordTakesTheNameOfOne) {
+    const SdlRun run("#declare S = sphere { <1, 2, 3>, 4 } sphere { S translate x } union { S S scale 2 }\n"
+                     "#declare L = light_source { 1, 1 } light_source { L translate y }");
+    ASSERT_TRUE(run.model) << run.problems();
+    EXPECT_EQ(std::get<SphereShape>(run.model->objects.at(0)->shape).radius, 4);
+    EXPECT_EQ(run.model->objects.at(0)->transform, translation({1, 0, 0}));
+    EXPECT_EQ(std::get<UnionShape>(run.model->objects.at(1)->shape).parts.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<LightShape>(run.model->objects.at(2)->shape));
+}
+
+/// POV-Ray's shading of the plane y = 0, which is N.L.
+TEST(SdlLanguage, ParallelRaysAreParallelToTheirLightsAim) {
+    struct Case {
+        const char* words;
+        double shading;
+    };
+    for (const Case& c : {Case{"parallel", 0.688},
+                          {"parallel point_at <2, 0, 0>", 0.949},
+                          {"translate x*3 parallel point_at <2, 0, 0>", 0.6},
+                          {"parallel point_at <2, 0, 0> translate x*3", 0.949},
+                          {"translate x*3 parallel", 0.688},
+                          {"parallel point_at 0 scale <1, 3, 1>", 0.949},
+                          {"cylinder point_at 0 radius 100 falloff 120", 0.707},
+                          {"spotlight parallel point_at 0 radius 10 falloff 20", 0.707}}) {
+        const SdlRun run(std::string("light_source { <3, 3, 0> rgb 1 ") + c.words + " }");
+        ASSERT_TRUE(run.model) << run.problems();
+        const auto& light = std::get<LightShape>(run.model->objects.at(0)->shape);
+        const Vec3 way = normalised(light.position - light.pointAt.value());
+        EXPECT_NEAR(way.y, c.shading, 0.0006) << c.words;
+    }
+}
+
 TEST(SdlLanguage, WhatHasNoShapeIsLeftOutWithItsName) {
     const SdlRun run(
         "difference { sphere { 0, 1 } box { -1, 1 translate x } pigment { rgb 1 } } sphere { 0, 1 }");

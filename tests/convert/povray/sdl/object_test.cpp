@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 namespace yarte::convert::povray::sdl::test {
@@ -102,6 +103,30 @@ TEST(SdlObject, LightsArePoints) {
                               "light_source: shadowless: approximated\n"
                               "light_source: looks_like: dropped\n"
                               "light_source: colour: approximated\n");
+}
+
+TEST(SdlObject, ParallelRaysComeFromFarAway) {
+    LightShape light{{3, 3, 0}, {1, 1, 1}, {"spotlight", "parallel"}, false, nullptr};
+    light.pointAt = Vec3{2, 0, 0};
+    const Object within = object(UnionShape{{shared(object(light))}}, scaling({1, 2, 1}));
+    Model m = model({object(SphereShape{{1, -3, 0}, 1}), within});
+    const BuiltScene built(m);
+    // Nothing is behind the light's plane, and the sphere's far side is 10 or less away.
+    const Vec3 way = built.scene->lights.at(0).position - Vec3{3, 6, 0};
+    EXPECT_LE(length(normalised(way) - normalised(Vec3{1, 6, 0})), 1e-12);
+    EXPECT_GE(length(way), 1e6 * (std::hypot(2, 9) + 1));
+    EXPECT_EQ(built.losses(), "light_source: parallel: approximated\n");
+    const auto& rows = built.ledger.rows();
+    const auto told = std::ranges::find_if(rows, [](const LedgerRow& r) { return r.property == "parallel"; });
+    EXPECT_NEAR(told->bound.value(), 1e-6, 1e-8);
+
+    m.objects.push_back(shared(object(SphereShape{{0, 20, 0}, 1}))); // in POV-Ray it casts no shadow
+    EXPECT_EQ(BuiltScene(m).losses(),
+              "light_source: parallel: approximated\nlight_source: parallel: approximated\n");
+    light.pointAt = light.position;
+    EXPECT_EQ(BuiltScene(model({object(light)})).losses(), "light_source: everything: dropped\n");
+    light.pointAt->x = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(BuiltScene(model({object(light)})).scene);
 }
 
 TEST(SdlObject, InfiniteNumbersAreErrors) {

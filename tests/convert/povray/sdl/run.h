@@ -18,11 +18,11 @@ struct SdlRun {
     std::optional<Model> model;
 
     explicit SdlRun(const std::string& text, const std::filesystem::path& file = "scene.pov",
-                    const Limits& limits = {}) {
+                    const Limits& limits = {}, const std::optional<std::filesystem::path>& writable = {}) {
         Parser parser;
         Environment environment{.sources = sources, .diagnostics = diagnostics, .readable = {}};
         environment.library = {"/usr/share/povray-3.7/include"};
-        environment.limits = limits;
+        environment.limits = limits, environment.writable = writable;
         environment.debug = [this](const std::string& s) { printed += s; };
         environment.report = [this](Span, const std::string& what, const std::string&) {
             reported.push_back(what);
