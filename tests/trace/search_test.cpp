@@ -1,6 +1,7 @@
 #include "yarte/trace/search.h"
 
 #include "tests/support/scenes.h"
+#include "yarte/scene/referential.h"
 
 #include <gtest/gtest.h>
 
@@ -133,6 +134,57 @@ TEST(Search, ARayNeverMeetsTheSurfaceItLeaves) {
             }
         }
     }
+}
+
+/// A flat wall of jittered triangles, anywhere and turned anyhow.
+MeshData wallOfTriangles(int n, test::Random& random) {
+    const Frame axes = resolveReferential(random.referential());
+    const Vec3 centre = random.inCube(random.between(0, 1000));
+    const double side = std::exp(random.between(-3, 7));
+    MeshData wall;
+    for (int y = 0; y <= n; ++y)
+        for (int x = 0; x <= n; ++x) {
+            const double u = x + random.between(-0.4, 0.4), v = y + random.between(-0.4, 0.4);
+            wall.vertices.push_back(centre + axes.toWorld({u * side, v * side, 0}));
+        }
+    const auto at = [n](int x, int y) { return static_cast<std::uint32_t>(y * (n + 1) + x); };
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            for (const auto corner : {at(x, y), at(x + 1, y), at(x + 1, y + 1)})
+                wall.corners.push_back(corner);
+            for (const auto corner : {at(x, y), at(x + 1, y + 1), at(x, y + 1)})
+                wall.corners.push_back(corner);
+        }
+    for (std::uint32_t c = 3; c <= wall.corners.size(); c += 3) wall.faceStarts.push_back(c);
+    return wall;
+}
+
+TEST(Search, AWallOfTrianglesCastsNoShadowOnItselfAlongEdges) {
+    int count = 0;
+    for (unsigned seed = 1; seed <= 200; ++seed) {
+        test::Random random(seed);
+        Scene scene = test::emptyScene();
+        const MeshData wall = wallOfTriangles(4, random);
+        test::addMesh(scene, wall, test::matt({1, 1, 1}));
+        const Vec3 normal = triangleNormal(wall.vertices[0], wall.vertices[1], wall.vertices[6]);
+        scene.camera.position = wall.vertices[0] + random.between(1, 5000) * normal;
+        const WorldPtr world = buildWorld(scene, {1, 1});
+        for (int i = 0; i < 200; ++i) {
+            const auto face =
+                wall.face(static_cast<std::size_t>(random.below(static_cast<int>(wall.faceCount()))));
+            const Vec3 a = wall.vertices[face[0]], b = wall.vertices[face[1]];
+            const Vec3 target = a + random.between(0, 1) * (b - a);
+            const Ray ray{scene.camera.position, normalised(target - scene.camera.position), {}};
+            const auto hit = nearestHit(*world, ray);
+            if (!hit) continue; // a rim's edge
+            const Side side = hit->entering ? Side::outside : Side::inside;
+            const Vec3 toLight = normalised(random.direction() + 1.1 * normal);
+            EXPECT_EQ(transmittance(*world, {ray.at(hit->t), toLight, {hit->element, side}}, 1e9), 1)
+                << "seed " << seed;
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 20000);
 }
 
 } // namespace

@@ -34,6 +34,8 @@ BodyAppearance appearance(const Material& m, const std::optional<BackColours>& b
             transmits(m) ? m.transmission : 0};
 }
 
+double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 class Builder {
 public:
     Builder(const Scene& scene, World& world) : scene_(scene), world_(world) {}
@@ -161,6 +163,22 @@ private:
     World& world_;
 };
 
+/// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
+/// products of a few numbers no larger than the largest here. In tilted walls of jittered triangles all of 4
+/// million starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a
+/// sixteenth.
+double roundingOf(const World& world) {
+    double largest = largestOf(world.camera.position);
+    for (std::uint32_t i = 0; i < world.elements.size(); ++i)
+        world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
+            if constexpr (!std::is_same_v<Shape, trace::Plane>) {
+                const Bounds b = bounds(shape);
+                largest = std::max({largest, largestOf(b.low), largestOf(b.high)});
+            }
+        });
+    return 0x1p-46 * largest;
+}
+
 Tree treeOf(const World& world) {
     if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
     std::vector<Bounds> boxes;
@@ -259,6 +277,7 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     Builder builder(scene, world);
     builder.reserveFaces();
     for (const Body& body : scene.bodies) builder.addBody(body);
+    world.faces.rounding = roundingOf(world);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
     world.tree = treeOf(world);

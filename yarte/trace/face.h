@@ -4,7 +4,9 @@
 // z axis [Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2013], then even-odd counting of
 // the edges that cross the +x half-axis, each by the exact sign of a 2x2 determinant. A vertex shared by
 // faces has one image and an edge one answer, whichever face asks: neighbouring faces neither leak nor both
-// count. The distance comes from the plane (decision D9).
+// count. The distance comes from the plane (decision D9). A ray that starts in that plane has nothing of the
+// face ahead of it: it left one neighbour at their common edge, and rounding may put it on either side of the
+// other.
 #pragma once
 
 #include "yarte/trace/bounds.h"
@@ -41,6 +43,8 @@ struct FaceTable {
     /// Of larger polygons. A triangle's plane is computed when a ray passes inside, which is rare, and not
     /// kept: millions of them are more often looked at than met.
     std::vector<FacePlane> planes;
+    /// A start so near to a plane lies in it, as far as its rounded coordinates tell.
+    double rounding = 0;
 
     std::span<const std::uint32_t> cornersOf(const Face& f) const {
         return std::span(corners).subspan(f.firstCorner, f.cornerCount);
@@ -127,7 +131,8 @@ inline Crossings crossings(const FaceShape& s, const Ray& ray) {
     if (!isInside) return result;
     const FacePlane plane = planeOf(s.table, s.face);
     const double fall = -dot(ray.direction, plane.normal);
-    if (fall != 0) result.add(dot(ray.origin - plane.anchor, plane.normal) / fall, 0, fall > 0);
+    const double height = dot(ray.origin - plane.anchor, plane.normal);
+    if (fall != 0 && std::abs(height) > s.table.rounding) result.add(height / fall, 0, fall > 0);
     return result;
 }
 

@@ -83,7 +83,7 @@ private:
         std::visit([&](const auto& shape) { addShape(shape, Placed{object, map, style}); }, object.shape);
     }
 
-    void addShape(const SphereShape& s, const Placed& p) { addBuilt(sdl::build(s, p.map, tolerance_), p); }
+    void addShape(const SphereShape& s, const Placed& p) { addRound(s, p); }
     void addShape(const BoxShape& b, const Placed& p) {
         Built built = sdl::build(b, p.map);
         if (isOnlyTurned(p) && std::holds_alternative<Shape>(built.what)) {
@@ -93,13 +93,9 @@ private:
         }
         addBuilt(std::move(built), p);
     }
-    void addShape(const ConeShape& c, const Placed& p) {
-        addBuilt(turned(sdl::build(c, p.map, tolerance_), c, p), p);
-    }
-    void addShape(const DiscShape& d, const Placed& p) {
-        addBuilt(turned(sdl::build(d, p.map, tolerance_), d, p), p);
-    }
-    void addShape(const TorusShape& t, const Placed& p) { addBuilt(sdl::build(t, p.map, tolerance_), p); }
+    void addShape(const ConeShape& c, const Placed& p) { addRound(c, p); }
+    void addShape(const DiscShape& d, const Placed& p) { addRound(d, p); }
+    void addShape(const TorusShape& t, const Placed& p) { addRound(t, p); }
     void addShape(const PlaneShape& s, const Placed& p) { addBuilt(sdl::build(s, p.map), p); }
     void addShape(const PolygonShape& s, const Placed& p) { addBuilt(sdl::build(s, p.map), p); }
 
@@ -220,6 +216,43 @@ private:
     /// True if the transformation is just what a Yarte_Turn and a move made of it.
     bool isOnlyTurned(const Placed& p) const { return p.object.exactAxes && p.map == p.object.transform; }
 
+    /// Objects in a union that is used more than once are met again. What became triangles is kept once for
+    /// those that are only moved, turned and scaled against the first.
+    template <class S>
+    void addRound(const S& shape, const Placed& p) {
+        if (const auto kept = roundMeshes_.find(&p.object); kept != roundMeshes_.end())
+            if (const auto mesh = placedAgain(kept->second, p.map)) {
+                tell(p.object, {"shape", Action::approximated, kept->second.why + ", in the scene's units",
+                                kept->second.deviation * mesh->scale / model_.unit});
+                return addBody(inUnits(*mesh, model_.unit), {}, p, lookOf(p), &p.style);
+            }
+        Built built = sdl::build(shape, p.map, tolerance_);
+        if constexpr (std::is_same_v<S, ConeShape> || std::is_same_v<S, DiscShape>)
+            built = turned(std::move(built), shape, p);
+        const bool isMesh = std::holds_alternative<MeshData>(built.what);
+        RoundMesh round{p.map, {static_cast<std::uint32_t>(meshes_.size())}, built.deviation, built.why};
+        addBuilt(std::move(built), p);
+        if (isMesh && meshes_.size() > round.id.index) roundMeshes_.try_emplace(&p.object, std::move(round));
+    }
+
+    struct RoundMesh {
+        Affine map; ///< under which it was made
+        MeshId id;
+        double deviation = 0;
+        std::string why;
+    };
+
+    std::optional<Mesh> placedAgain(const RoundMesh& mesh, const Affine& map) const {
+        const auto back = inverse(mesh.map);
+        if (!back) return std::nullopt;
+        const Affine change = then(*back, map);
+        const Similarity similarity = similarityOf(change);
+        const double s = similarity.scale;
+        const bool keepsChordError = !tolerance_.chordError || std::abs(s - 1) <= rounding;
+        if (similarity.error > rounding || determinant(change) < 0 || !keepsChordError) return std::nullopt;
+        return Mesh{mesh.id, s, {change.x / s, change.y / s, change.z / s}, change.t};
+    }
+
     /// A body of revolution whose axes are as written: built unturned, for versors off by rounding.
     template <class S>
     Built turned(Built built, const S& shape, const Placed& p) {
@@ -296,6 +329,7 @@ private:
     Diagnostics& diagnostics_;
     Materials materials_;
     Meshes meshes_;
+    std::map<const Object*, RoundMesh> roundMeshes_;
     std::vector<Body> bodies_;
     std::vector<BuiltLight> lights_;
 

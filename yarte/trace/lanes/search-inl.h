@@ -90,7 +90,7 @@ HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, 
 
 HWY_INLINE bool isTriangle(const TreeEntry& entry) { return entry.corners[0] != TreeEntry::noTriangle; }
 HWY_INLINE TriangleShape triangle(const World& world, const TreeEntry& entry) {
-    return {world.faces.vertices.data(), entry.corners};
+    return {world.faces.vertices.data(), entry.corners, world.faces.rounding};
 }
 
 /// Nearest crossings of all lanes; element is noElement where there is none.

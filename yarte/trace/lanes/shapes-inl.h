@@ -226,6 +226,7 @@ struct TriangleShape {
     static constexpr bool isFlat = true, isClosed = false;
     const Vec3* vertices;
     const std::uint32_t* corners;
+    double rounding; ///< of FaceTable
 };
 
 HWY_INLINE CrossingLanes crossings(const TriangleShape& s, const RayPacket& rays, const ShearPacket& shear,
@@ -236,7 +237,9 @@ HWY_INLINE CrossingLanes crossings(const TriangleShape& s, const RayPacket& rays
     const Vec3 anchor = s.vertices[s.corners[0]];
     const V3 normal = spread(triangleNormal(anchor, s.vertices[s.corners[1]], s.vertices[s.corners[2]]));
     const V fall = hn::Neg(dot(direction, normal));
-    return onceCrossed(dot(origin - spread(anchor), normal) / fall, fall, hn::And(inside, fall != set(0)));
+    const V height = dot(origin - spread(anchor), normal);
+    const M isOff = hn::Abs(height) > set(s.rounding);
+    return onceCrossed(height / fall, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
 }
 
 /// Crossings beyond `limit` may be left out.
@@ -244,10 +247,13 @@ HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, co
                                    std::size_t at, V limit) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
     V fall = set(0), t = set(0);
+    M isOff = none();
     const auto meetPlane = [&](const FacePlane& plane) HWY_ATTR {
         const V3 normal = spread(plane.normal);
         fall = hn::Neg(dot(direction, normal));
-        t = dot(origin - spread(plane.anchor), normal) / fall;
+        const V height = dot(origin - spread(plane.anchor), normal);
+        isOff = hn::Abs(height) > set(s.table.rounding);
+        t = height / fall;
     };
     const bool isKnown = s.face.plane != Face::noPlane;
     if (isKnown) { // a look at the plane spares most looks at the edges
@@ -257,7 +263,7 @@ HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, co
     const M inside = seesThrough(s.table.cornersOf(s.face), s.table.vertices.data(), origin, shear, at);
     if (!any(inside)) return noCrossings();
     if (!isKnown) meetPlane(computePlane(s.table, s.face));
-    return onceCrossed(t, fall, hn::And(inside, fall != set(0)));
+    return onceCrossed(t, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE

@@ -1,6 +1,7 @@
 #include "convert/povray/sdl/build_body.h"
 
 #include "tests/convert/povray/sdl/support.h"
+#include "yarte/scene/mesh_placement.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,29 @@ TEST(SdlObject, EqualLooksShareAMaterial) {
         spheres.back().appearance.layers = i % 2 ? red : green;
     }
     EXPECT_EQ(BuiltScene(model(spheres)).scene->materials.size(), 2U);
+}
+
+TEST(SdlObject, TrianglesOfARoundPartAreKeptOnceForItsSimilarPlaces) {
+    Random random(7);
+    const ObjectPtr part = shared(object(TorusShape{3, 1}, random.affine()));
+    const ObjectPtr egg = shared(object(SphereShape{{1, 2, 3}, 2}, scaling({1, 2, 3})));
+    std::vector<Object> places;
+    for (int i = 0; i < 4; ++i) places.push_back(object(UnionShape{{part, egg}}, random.similarity()));
+    places.push_back(object(UnionShape{{part, egg}}, random.affine())); // these are made anew
+    const BuiltScene built(model(places));
+    ASSERT_EQ(built.scene->bodies.size(), 10U);
+    EXPECT_EQ(built.scene->meshes.size(), 4U);
+    for (std::size_t i = 0; i < 10; ++i) {
+        const BuiltScene alone(model({places[i / 2]}));
+        const Mesh &mesh = built.shape<Mesh>(i), &expected = alone.shape<Mesh>(i % 2);
+        const auto vertices = placedVertices(built.scene->meshes[mesh.mesh.index], mesh);
+        const auto right = placedVertices(alone.scene->meshes[expected.mesh.index], expected);
+        ASSERT_EQ(vertices.size(), right.size());
+        double farthest = 0;
+        for (std::size_t v = 0; v < right.size(); ++v)
+            farthest = std::max(farthest, length(vertices[v] - right[v]));
+        EXPECT_LT(farthest, 1e-11) << i;
+    }
 }
 
 TEST(SdlObject, AMergeOfOpaquePartsIsTheirUnion) {
