@@ -179,7 +179,8 @@ TEST(Search, AWallOfTrianglesCastsNoShadowOnItselfAlongEdges) {
             if (!hit) continue; // a rim's edge
             const Side side = hit->entering ? Side::outside : Side::inside;
             const Vec3 toLight = normalised(random.direction() + 1.1 * normal);
-            EXPECT_EQ(transmittance(*world, {ray.at(hit->t), toLight, {hit->element, side}}, 1e9), 1)
+            EXPECT_EQ(transmittance(*world, {ray.at(hit->t), toLight, {hit->element, side}}, 1e9),
+                      (Colour{1, 1, 1}))
                 << "seed " << seed;
             ++count;
         }

@@ -36,7 +36,6 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.scene; }
 
 const char* fullSize() { return std::getenv("YARTE_AGREEMENT_SIZE"); }
 
-/// The gears' glass filters colours, which is *approximated*.
 std::vector<Case> cases() {
     std::vector<Case> list;
     for (const char* all :
@@ -50,6 +49,7 @@ std::vector<Case> cases() {
     // numbers.
     list.push_back({"balls_4", 0.005, 0.0001});
     list.push_back({"jacks_4", 0.001, 0.0003});
+    list.push_back({"gears_1", 0.002}), list.push_back({"gears_2", 0.002});
     std::sort(list.begin(), list.end(), [](const Case& a, const Case& b) { return a.scene < b.scene; });
     return list;
 }
