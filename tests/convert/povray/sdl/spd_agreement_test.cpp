@@ -49,7 +49,8 @@ std::vector<Case> cases() {
     // numbers.
     list.push_back({"balls_4", 0.005, 0.0001});
     list.push_back({"jacks_4", 0.001, 0.0003});
-    list.push_back({"gears_1", 0.002}), list.push_back({"gears_2", 0.002});
+    // Where the gears' bodies touch, POV-Ray's tolerances show, and at last rounding.
+    list.push_back({"gears_1", 0.002}), list.push_back({"gears_2", 0.002, 0.0001});
     std::sort(list.begin(), list.end(), [](const Case& a, const Case& b) { return a.scene < b.scene; });
     return list;
 }
