@@ -138,9 +138,11 @@ struct alignas(64) ShadowPacket {
     double crossed[maxLevels][lanes];
 };
 
+/// True if it blocks a lane.
 template <class Shape>
-HWY_INLINE void castShadow(const Shape& shape, ElementId element, const World& world, const Lines& lines,
+HWY_INLINE bool castShadow(const Shape& shape, ElementId element, const World& world, const Lines& lines,
                            std::uint32_t mask, ShadowPacket& shadow) {
+    bool blocks = false;
     for (std::size_t at = 0; at < lanes; at += half) {
         if (!holds(mask, at)) continue;
         const V distance = load(shadow.distance + at);
@@ -152,6 +154,7 @@ HWY_INLINE void castShadow(const Shape& shape, ElementId element, const World& w
         const BodyAppearance& body = world.appearanceOf(element);
         if (isBlack(body.transmission)) {
             store(select(crossed, set(1), load(shadow.blocked + at)), shadow.blocked + at);
+            blocks = true;
         } else {
             const std::size_t level =
                 std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
@@ -159,6 +162,7 @@ HWY_INLINE void castShadow(const Shape& shape, ElementId element, const World& w
             store(load(count) + flag(enters) + flag(leaves), count);
         }
     }
+    return blocks;
 }
 
 HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
@@ -174,8 +178,9 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
     const Lines lines{rays, shear};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
-        world.visit(id,
-                    [&](const auto& shape) HWY_ATTR { castShadow(shape, id, world, lines, mask, shadow); });
+        return world.visit(id, [&](const auto& shape) HWY_ATTR {
+            return castShadow(shape, id, world, lines, mask, shadow);
+        });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
@@ -193,13 +198,14 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
         store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
     SlabPacket slab(world.tree, rays, reach);
     traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
+        bool blocks = false;
         for (std::uint32_t i = 0; i < leaf.count; ++i) {
             const TreeEntry& entry = world.tree.entries[leaf.first + i];
-            if (isTriangle(entry))
-                castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow);
-            else
-                test(entry.element, mask);
+            blocks |= isTriangle(entry)
+                          ? castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow)
+                          : test(entry.element, mask);
         }
+        if (!blocks) return false;
         for (std::size_t at = 0; at < lanes; at += half)
             store(select(isSet(load(shadow.blocked + at)), set(-1), load(reach + at)), reach + at);
         slab.setMax(reach);
