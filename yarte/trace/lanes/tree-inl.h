@@ -10,6 +10,8 @@
 #include "yarte/trace/lanes/packet-inl.h"
 #include "yarte/trace/tree.h"
 
+#include <limits>
+
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
@@ -35,10 +37,12 @@ struct alignas(64) SlabPacket {
     }
     HWY_INLINE void setMax(const double* t) {
         for (std::size_t at = 0; at < lanes; at += half)
-            demote((load(t + at) - load(moved + at)) * set(1 + 0x1p-22), tMax + at);
+            demote(least((load(t + at) - load(moved + at)) * set(1 + 0x1p-22), set(largest)), tMax + at);
     }
 
 private:
+    static constexpr double largest = std::numeric_limits<float>::max(); // nearer than what is missed
+
     HWY_INLINE static void demote(V v, float* to) {
         const hn::Rebind<float, D> f;
         hn::Store(hn::DemoteTo(f, v), f, to);
@@ -85,6 +89,9 @@ HWY_INLINE std::uint32_t bitsOf(MF mask) {
 
 /// Calls `leaf(node, mask)` for the leaves that some lane may meet, near ones first; `mask` has a bit for
 /// each such lane. `leaf` may lower rays.tMax, and ends the search by returning true.
+///
+/// Which child is nearer, and whether the other one waits, is as good as random: nothing branches on it. Both
+/// children's distances are stored, the far one's on the stack's top, where it stays or is overwritten.
 template <class Leaf>
 HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
     const F f;
@@ -92,41 +99,38 @@ HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
         float enter[lanes];
         std::uint32_t node;
     };
-    Pending stack[64];
+    Pending stack[66]; // the builder's depth, and one above the top
     int size = 0;
     MF hits;
     hn::Store(enterBox(tree.nodes[0], rays, hits), f, stack[0].enter);
     stack[0].node = 0;
     if (!hn::AllFalse(f, hits)) size = 1;
     while (size > 0) {
-        const Pending& top = stack[--size];
+        const float* enter = stack[--size].enter; // of `node`
+        const TreeNode* node = &tree.nodes[stack[size].node];
         // Not <: of two at equal distance the first in the file must be found.
-        MF active = hn::Load(f, top.enter) <= hn::Load(f, rays.tMax);
-        if (hn::AllFalse(f, active)) continue;
-        const TreeNode* node = &tree.nodes[top.node];
+        if (hn::AllFalse(f, hn::Load(f, enter) <= hn::Load(f, rays.tMax))) continue;
         while (node->count == 0) {
             MF leftHits, rightHits;
-            const TreeNode& left = tree.nodes[node->first];
-            const TreeNode& right = tree.nodes[node->first + 1];
-            const VF leftEnter = enterBox(left, rays, leftHits),
-                     rightEnter = enterBox(right, rays, rightHits);
-            const bool goesLeft = !hn::AllFalse(f, leftHits), goesRight = !hn::AllFalse(f, rightHits);
-            if (goesLeft && goesRight) {
-                const bool leftFirst =
-                    hn::CountTrue(f, leftEnter < rightEnter) >= hn::CountTrue(f, rightEnter < leftEnter);
-                hn::Store(leftFirst ? rightEnter : leftEnter, f, stack[size].enter);
-                stack[size++].node = node->first + (leftFirst ? 1 : 0);
-                node = leftFirst ? &left : &right;
-                active = leftFirst ? leftHits : rightHits;
-            } else if (goesLeft || goesRight) {
-                node = goesLeft ? &left : &right;
-                active = goesLeft ? leftHits : rightHits;
-            } else {
+            const TreeNode* const children = &tree.nodes[node->first];
+            const VF leftEnter = enterBox(children[0], rays, leftHits),
+                     rightEnter = enterBox(children[1], rays, rightHits);
+            const bool missesLeft = hn::AllFalse(f, leftHits), missesRight = hn::AllFalse(f, rightHits);
+            if (missesLeft && missesRight) {
                 node = nullptr;
                 break;
             }
+            // A child that all lanes miss is infinitely far away.
+            const bool rightFirst =
+                hn::CountTrue(f, leftEnter < rightEnter) < hn::CountTrue(f, rightEnter < leftEnter);
+            hn::Store(leftEnter, f, stack[size + (rightFirst ? 0 : 1)].enter);
+            hn::Store(rightEnter, f, stack[size + (rightFirst ? 1 : 0)].enter);
+            stack[size].node = node->first + (rightFirst ? 0 : 1);
+            enter = stack[size + 1].enter;
+            node = &children[rightFirst ? 1 : 0];
+            size += missesLeft || missesRight ? 0 : 1;
         }
-        if (node && leaf(*node, bitsOf(active))) return;
+        if (node && leaf(*node, bitsOf(hn::Load(f, enter) <= hn::Load(f, rays.tMax)))) return;
     }
 }
 
