@@ -94,7 +94,8 @@ private:
 /// What the tracing of a tile needs of memory, for the next tile to use again: given back in between, the
 /// system would clear and hand out the same pages for every tile, which took longer than the tracing.
 struct Workspace {
-    std::vector<Colour> sums; ///< of a block's pixels
+    std::vector<ElementId> blockers; ///< of each light; see findShadows
+    std::vector<Colour> sums;        ///< of a block's pixels
     RayQueue current, reflected, transmitted;
 };
 

@@ -172,16 +172,21 @@ HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
 }
 
 /// Marks the lanes whose way to the light is blocked, and counts what dims it. Lanes that start as blocked
-/// are not looked at.
-HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow) {
+/// are not looked at. `blocker` is what blocked the light last, or none: it is likely to do so again
+/// [Haines, Greenberg, "The Light Buffer", IEEE CG&A 1986], and is looked at first.
+HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow,
+                              ElementId& blocker) {
     ShearPacket shear;
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
     const Lines lines{rays, shear};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
-        return world.visit(id, [&](const auto& shape) HWY_ATTR {
+        const bool blocks = world.visit(id, [&](const auto& shape) HWY_ATTR {
             return castShadow(shape, id, world, lines, mask, shadow);
         });
+        if (blocks) blocker = id;
+        return blocks;
     };
+    if (blocker != ElementId{} && test(blocker, allLanes) && allBlocked(shadow)) return;
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
             test({i}, allLanes);
@@ -201,9 +206,12 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
         bool blocks = false;
         for (std::uint32_t i = 0; i < leaf.count; ++i) {
             const TreeEntry& entry = world.tree.entries[leaf.first + i];
-            blocks |= isTriangle(entry)
-                          ? castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow)
-                          : test(entry.element, mask);
+            if (!isTriangle(entry)) {
+                blocks |= test(entry.element, mask);
+            } else if (castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow)) {
+                blocks = true;
+                blocker = entry.element;
+            }
         }
         if (!blocks) return false;
         for (std::size_t at = 0; at < lanes; at += half)

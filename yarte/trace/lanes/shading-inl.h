@@ -82,14 +82,14 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
 }
 
 /// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,
-/// multiplied in the same order.
+/// multiplied in the same order. For `blocker` see findShadows.
 template <bool isTinted>
 HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, ShadowPacket& shadow,
-                                PassingPacket<isTinted>& arriving) {
+                                ElementId& blocker, PassingPacket<isTinted>& arriving) {
     const std::size_t levels = std::min(world.transmissions.size(), ShadowPacket::maxLevels);
     for (std::size_t level = 0; level < levels; ++level)
         for (std::size_t at = 0; at < lanes; at += half) store(set(0), shadow.crossed[level] + at);
-    findShadows(world, rays, shadow);
+    findShadows(world, rays, shadow, blocker);
     for (std::size_t at = 0; at < lanes; at += half)
         arriving.set(at, passing<isTinted>(set(1) - load(shadow.blocked + at)));
     for (std::size_t level = 0; level < levels; ++level)
@@ -105,17 +105,19 @@ HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, Shado
 }
 
 /// localColour of yarte/trace/phong.h for the lanes with a hit; `mirrors` are the mirror directions of the
-/// rays.
+/// rays; `blockers`, one for each light, see findShadows.
 template <bool isTinted>
 HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const PointPacket& points,
-                               const RayPacket& mirrors, ColourPacket& sums, std::uint64_t& shadowRays) {
+                               const RayPacket& mirrors, std::span<ElementId> blockers, ColourPacket& sums,
+                               std::uint64_t& shadowRays) {
     const V zero = set(0);
     for (std::size_t at = 0; at < lanes; at += half) sums.set(at, points.ambient.at(at));
     RayPacket toLight;
     ShadowPacket shadow;
     PassingPacket<isTinted> arriving;
     alignas(64) double cosines[lanes];
-    for (const Light& light : world.lights) {
+    for (std::size_t l = 0; l < world.lights.size(); ++l) {
+        const Light& light = world.lights[l];
         bool someLit = false;
         for (std::size_t at = 0; at < lanes; at += half) {
             const V3 position = points.position(at), way = spread(light.position) - position;
@@ -134,7 +136,7 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
             shadowRays += hn::CountTrue(D(), lit);
         }
         if (!someLit) continue;
-        arrivingLight<isTinted>(world, toLight, shadow, arriving);
+        arrivingLight<isTinted>(world, toLight, shadow, blockers[l], arriving);
         for (std::size_t at = 0; at < lanes; at += half) {
             const Passing<isTinted> light01 = arriving.at(at);
             const M arrives = isLit(light01);

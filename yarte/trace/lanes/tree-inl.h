@@ -90,9 +90,9 @@ HWY_INLINE std::uint32_t bitsOf(MF mask) {
 /// Calls `leaf(node, mask)` for the leaves that some lane may meet, near ones first; `mask` has a bit for
 /// each such lane. `leaf` may lower rays.tMax, and ends the search by returning true.
 ///
-/// Whether a farther child waits is as good as random, so nothing branches on it: it is put on the stack's top
-/// in any case, to stay there or be overwritten. Which child is nearer is guessed well enough for a branch to
-/// be faster than to wait for the answer.
+/// Whether a farther child waits is as good as random, so nothing branches on it: it is put on the stack's
+/// top in any case, to stay there or be overwritten. Which child is nearer is guessed well enough for a
+/// branch to be faster than to wait for the answer.
 template <class Leaf>
 HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
     const F f;

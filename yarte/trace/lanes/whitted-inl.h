@@ -17,9 +17,10 @@ template <bool isTinted>
 class WhittedLanes {
 public:
     WhittedLanes(const World& world, Workspace& memory, RayCounts& counts)
-        : world_(world), counts_(counts), media_(world), sums_(memory.sums), current_(memory.current),
-          reflected_(memory.reflected), transmitted_(memory.transmitted) {
+        : world_(world), counts_(counts), media_(world), blockers_(memory.blockers), sums_(memory.sums),
+          current_(memory.current), reflected_(memory.reflected), transmitted_(memory.transmitted) {
         for (RayQueue* queue : {&current_, &reflected_, &transmitted_}) queue->start(isTinted);
+        blockers_.assign(world.lights.size(), {});
     }
 
     void render(Tile tile, Colour* pixels, std::size_t stride) {
@@ -124,7 +125,7 @@ private:
             const V3 d = rays.direction(at), n = points.normal(at);
             mirrors.setDirection(at, normalised(d - n * (set(2) * dot(d, n))));
         }
-        localColours<isTinted>(world_, hits, points, mirrors, colours, counts_.shadow);
+        localColours<isTinted>(world_, hits, points, mirrors, blockers_, colours, counts_.shadow);
         addColours(first, count, hits, colours);
         if (world_.levels == 0) return;
         for (std::size_t at = 0; at < lanes; at += half) {
@@ -214,7 +215,8 @@ private:
     const World& world_;
     RayCounts& counts_;
     MediaPool media_;
-    std::vector<Colour>& sums_; ///< of the block's pixels
+    std::vector<ElementId>& blockers_; ///< of each light
+    std::vector<Colour>& sums_;        ///< of the block's pixels
     RayQueue &current_, &reflected_, &transmitted_;
 };
 } // namespace yarte::trace::HWY_NAMESPACE
