@@ -110,7 +110,7 @@ private:
     std::optional<Scene> read();
     WorldPtr build(const Scene&, Resolution);
     std::optional<Rendering> trace(const World&, const RenderOptions&);
-    void write(const Rendering&, double gamma);
+    void write(Rendering&, double gamma);
     void writeAov(const Scene&, const World&, const RenderOptions&);
 
     Options options_;
@@ -165,13 +165,13 @@ std::optional<Rendering> Run::trace(const World& world, const RenderOptions& opt
     return rendering;
 }
 
-void Run::write(const Rendering& rendering, double gamma) {
+void Run::write(Rendering& rendering, double gamma) {
     const Stopwatch watch;
     ImageEncoding encoding = options_.encoding;
     encoding.gamma = gamma;
     for (const std::filesystem::path& output : options_.outputs) {
         if (DeferredInterrupts::pending()) return;
-        const std::string bytes = encodeImage(*imageFormat(output), rendering.framebuffer.view(), encoding);
+        const std::string bytes = encodeImage(*imageFormat(output), rendering.framebuffer.rows(), encoding);
         orCannot("write", [&] { writeFile(output, bytes); });
     }
     stats_.writeSeconds = watch.seconds();
@@ -207,7 +207,7 @@ int Run::operator()() {
     const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
     const WorldPtr world = build(*scene, resolution);
     const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers};
-    const std::optional<Rendering> rendering = trace(*world, options);
+    std::optional<Rendering> rendering = trace(*world, options);
     if (rendering) write(*rendering, scene->gamma);
     if (rendering && options_.aov) writeAov(*scene, *world, options);
     if (const int signal = DeferredInterrupts::pending())

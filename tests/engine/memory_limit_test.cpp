@@ -37,7 +37,7 @@ TEST(MemoryLimit, OfThisMachineIsMoreThanThisTestUses) {
 
 TEST(Framebuffer, RefusesBeforeItTakesMemory) {
     try {
-        const Framebuffer framebuffer({0, 0, INT_MAX, INT_MAX}, 32, Framebuffer::Renderers::threads);
+        const Framebuffer framebuffer({0, 0, INT_MAX, INT_MAX}, 32);
         FAIL() << "accepted";
     } catch (const RenderError& error) {
         EXPECT_THAT(error.what(), testing::StartsWith("image of 2147483647x2147483647 pixels needs "));

@@ -44,7 +44,7 @@ std::vector<int> writtenByTwo() {
     std::vector<int> taken(numbers.size());
     for (std::size_t at = 0, count = 0; at < taken.size(); at += count) {
         count = std::min<std::size_t>(777, taken.size() - at);
-        file.take(at * sizeof(int), &taken[at], count * sizeof(int));
+        file.read(at * sizeof(int), &taken[at], count * sizeof(int));
     }
     return taken;
 }
@@ -65,7 +65,7 @@ TEST(SharedFile, DoesSoWhereFilesMustBeSmall) {
 TEST(SharedFile, IsZeroWhereNothingWasWritten) {
     const SharedFile file(100);
     int number = 7;
-    file.take(50, &number, sizeof number);
+    file.read(50, &number, sizeof number);
     EXPECT_EQ(number, 0);
 }
 

@@ -27,17 +27,17 @@ void appendShort(std::string& bytes, int value, bool bigEndian) {
 
 } // namespace
 
-std::string encodeDmp(ImageView image, const ImageEncoding& encoding) {
+std::string encodeDmp(const ImageRows& image, const ImageEncoding& encoding) {
     const std::array<char, 256> table = gammaTable(encoding.gamma);
     std::string bytes;
     appendShort(bytes, image.width, encoding.bigEndian);
     appendShort(bytes, image.height, encoding.bigEndian);
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const Colour& colour = image.at(x, y);
-            for (const double v : {colour.r, colour.g, colour.b})
+    for (int y = 0; y < image.height; ++y) {
+        const Colour* const row = image.row(y);
+        for (int x = 0; x < image.width; ++x)
+            for (const double v : {row[x].r, row[x].g, row[x].b})
                 bytes += table[static_cast<std::size_t>(clampToUnit(v) * 255)];
-        }
+    }
     return bytes;
 }
 

@@ -108,19 +108,19 @@ private:
 
 } // namespace
 
-std::string encodeExr(ImageView image, const ImageEncoding& encoding) {
+std::string encodeExr(const ImageRows& image, const ImageEncoding& encoding) {
     ExrFile file(image.width, image.height);
     const char* names[] = {"R", "G", "B"};
     for (const char* name : names) file.addChannel(name, encoding.half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
     std::vector<float> samples;
     return file.write([&](int y0, int lines) {
         samples.clear();
-        for (int y = y0; y < y0 + lines; ++y)
-            for (int x = 0; x < image.width; ++x) {
-                const Colour& colour = image.at(x, y);
-                for (const double v : {colour.r, colour.g, colour.b})
+        for (int y = y0; y < y0 + lines; ++y) {
+            const Colour* const row = image.row(y);
+            for (int x = 0; x < image.width; ++x)
+                for (const double v : {row[x].r, row[x].g, row[x].b})
                     samples.push_back(static_cast<float>(v));
-            }
+        }
         std::vector<ExrFile::Channel> channels;
         for (std::size_t i = 0; i < 3; ++i)
             channels.push_back({names[i], &samples[i], 3, 3 * static_cast<std::size_t>(image.width)});

@@ -49,7 +49,7 @@ bool canHold(ImageFormat format, int width, int height) {
     return format != ImageFormat::dmp || (width <= maxDmpSide && height <= maxDmpSide);
 }
 
-std::string encodeImage(ImageFormat format, ImageView image, const ImageEncoding& encoding) {
+std::string encodeImage(ImageFormat format, const ImageRows& image, const ImageEncoding& encoding) {
     assert(canHold(format, image.width, image.height));
     switch (format) {
     case ImageFormat::png: return encodePng(image, encoding);
@@ -61,17 +61,16 @@ std::string encodeImage(ImageFormat format, ImageView image, const ImageEncoding
     return {};
 }
 
-void appendDisplayRow(std::string& bytes, ImageView image, int y, const ImageEncoding& encoding) {
+void appendDisplayRow(std::string& bytes, const ImageRows& image, int y, const ImageEncoding& encoding) {
     const bool wide = encoding.depth == 16;
     const Quantiser quantise(wide ? 65535 : 255, encoding.displayGamma());
-    for (int x = 0; x < image.width; ++x) {
-        const Colour& colour = image.at(x, y);
-        for (const double v : {colour.r, colour.g, colour.b}) {
+    const Colour* const row = image.row(y);
+    for (int x = 0; x < image.width; ++x)
+        for (const double v : {row[x].r, row[x].g, row[x].b}) {
             const int sample = quantise(v);
             if (wide) bytes += static_cast<char>(sample >> 8);
             bytes += static_cast<char>(sample & 255);
         }
-    }
 }
 
 } // namespace yarte

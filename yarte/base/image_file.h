@@ -33,16 +33,18 @@ std::string imageExtensions();
 bool canHold(ImageFormat, int width, int height);
 
 /// The bytes of a file. The same image gives the same bytes: no time stamps, no program names.
-std::string encodeImage(ImageFormat, ImageView, const ImageEncoding&);
+std::string encodeImage(ImageFormat, const ImageRows&, const ImageEncoding&);
 
 // One function per format; the format's own header is all that differs.
-std::string encodePng(ImageView, const ImageEncoding&); ///< RGB, no gAMA chunk
-std::string encodePpm(ImageView, const ImageEncoding&); ///< binary, 16-bit samples big-endian
-std::string encodePfm(ImageView); ///< linear float32, little-endian, rows from the bottom
-std::string encodeExr(ImageView, const ImageEncoding&); ///< linear, channels R G B, scan lines in ZIP blocks
-std::string encodeDmp(ImageView, const ImageEncoding&); ///< the paper's raw dump, at most 65535 pixels a side
+std::string encodePng(const ImageRows&, const ImageEncoding&); ///< RGB, no gAMA chunk
+std::string encodePpm(const ImageRows&, const ImageEncoding&); ///< binary, 16-bit samples big-endian
+std::string encodePfm(const ImageRows&); ///< linear float32, little-endian, rows from the bottom
+std::string encodeExr(const ImageRows&,
+                      const ImageEncoding&); ///< linear, channels R G B, scan lines in ZIP blocks
+std::string encodeDmp(const ImageRows&,
+                      const ImageEncoding&); ///< the paper's raw dump, at most 65535 pixels a side
 
 /// One row of png's and ppm's samples, R G B a pixel, in one byte or in two, the high one first.
-void appendDisplayRow(std::string& bytes, ImageView, int y, const ImageEncoding&);
+void appendDisplayRow(std::string& bytes, const ImageRows&, int y, const ImageEncoding&);
 
 } // namespace yarte

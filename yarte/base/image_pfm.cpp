@@ -16,14 +16,14 @@ void appendFloat(std::string& bytes, double value) {
 
 } // namespace
 
-std::string encodePfm(ImageView image) {
+std::string encodePfm(const ImageRows& image) {
     // A negative scale says little-endian.
     std::string bytes = fmt::format("PF\n{} {}\n-1.0\n", image.width, image.height);
-    for (int y = image.height - 1; y >= 0; --y)
-        for (int x = 0; x < image.width; ++x) {
-            const Colour& colour = image.at(x, y);
-            for (const double v : {colour.r, colour.g, colour.b}) appendFloat(bytes, v);
-        }
+    for (int y = image.height - 1; y >= 0; --y) {
+        const Colour* const row = image.row(y);
+        for (int x = 0; x < image.width; ++x)
+            for (const double v : {row[x].r, row[x].g, row[x].b}) appendFloat(bytes, v);
+    }
     return bytes;
 }
 

@@ -43,7 +43,7 @@ void appendBytes(png_structp png, png_bytep data, png_size_t size) {
 void ignoreWarning(png_structp, png_const_charp) {}
 
 /// libpng's part. Objects with destructors live with the caller: an error jumps back to setjmp past them.
-bool writePng(png_structp png, png_infop info, ImageView image, const ImageEncoding& encoding,
+bool writePng(png_structp png, png_infop info, const ImageRows& image, const ImageEncoding& encoding,
               PngTarget& target) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_write_fn(png, &target, appendBytes, nullptr);
@@ -67,7 +67,7 @@ bool writePng(png_structp png, png_infop info, ImageView image, const ImageEncod
 
 } // namespace
 
-std::string encodePng(ImageView image, const ImageEncoding& encoding) {
+std::string encodePng(const ImageRows& image, const ImageEncoding& encoding) {
     PngTarget target;
     target.row.reserve(static_cast<std::size_t>(image.width) *
                        6); // so that no row allocates, and throws, in writePng

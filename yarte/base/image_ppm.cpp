@@ -4,7 +4,7 @@
 
 namespace yarte {
 
-std::string encodePpm(ImageView image, const ImageEncoding& encoding) {
+std::string encodePpm(const ImageRows& image, const ImageEncoding& encoding) {
     const int maximum = encoding.depth == 16 ? 65535 : 255;
     std::string bytes = fmt::format("P6\n{} {}\n{}\n", image.width, image.height, maximum);
     for (int y = 0; y < image.height; ++y) appendDisplayRow(bytes, image, y, encoding);

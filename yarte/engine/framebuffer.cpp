@@ -20,24 +20,20 @@ std::size_t sizeOf(Tile tile) {
     return static_cast<std::size_t>(tile.width()) * static_cast<std::size_t>(tile.height()) * sizeof(Colour);
 }
 
-MappedMemory mapPixels(Tile region) {
+/// Also asks whether the machine has the memory.
+std::size_t sizeOfPicture(Tile region) {
     if (const auto why = imageTooLarge(region.width(), region.height(), memoryLimit()))
         throw RenderError(*why);
-    return mapPrivateMemory(sizeOf(region));
+    return sizeOf(region);
 }
 
 } // namespace
 
-Framebuffer::Framebuffer(Tile region, int tileSide, Renderers renderers)
-    : region_(region), tileSide_(tileSide), memory_(mapPixels(region)) {
-    if (renderers == Renderers::processes) tiles_ = std::make_unique<SharedFile>(sizeOf(region));
-}
+Framebuffer::Framebuffer(Tile region, int tileSide)
+    : region_(region), tileSide_(tileSide), tiles_(sizeOfPicture(region)) {}
 
 void Framebuffer::put(Tile tile, const Colour* tilePixels) const {
-    if (tiles_)
-        tiles_->write(offsetOf(tile), tilePixels, sizeOf(tile));
-    else
-        copyToRows(tile, tilePixels);
+    tiles_.write(offsetOf(tile), tilePixels, sizeOf(tile));
 }
 
 /// A strip of tiles takes up the bytes that its rows do.
@@ -47,21 +43,30 @@ std::size_t Framebuffer::offsetOf(Tile tile) const {
            sizeof(Colour);
 }
 
-void Framebuffer::copyToRows(Tile tile, const Colour* tilePixels) const {
-    for (int y = tile.y0; y < tile.y1; ++y, tilePixels += tile.width())
-        std::copy_n(tilePixels, tile.width(), row(y) + (tile.x0 - region_.x0));
+ImageRows Framebuffer::rows() {
+    return {region_.width(), region_.height(), [this](int y) { return row(y); }};
 }
 
-void Framebuffer::gather() {
-    if (!tiles_) return;
+const Colour* Framebuffer::row(int y) {
+    if (y / tileSide_ != loadedStrip_) loadStrip(y / tileSide_);
+    return &strip_[static_cast<std::size_t>(y % tileSide_) * width()];
+}
+
+void Framebuffer::loadStrip(int strip) {
     const TileList tiles(region_, tileSide_);
-    std::vector<Colour> pixelsOfTile;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        pixelsOfTile.resize(sizeOf(tiles[i]) / sizeof(Colour));
-        tiles_->take(offsetOf(tiles[i]), pixelsOfTile.data(), sizeOf(tiles[i]));
-        copyToRows(tiles[i], pixelsOfTile.data());
+    const std::size_t columns = (width() - 1) / static_cast<std::size_t>(tileSide_) + 1;
+    const std::size_t first = static_cast<std::size_t>(strip) * columns;
+    strip_.resize(width() * static_cast<std::size_t>(tiles[first].height()));
+    for (std::size_t i = first; i < first + columns; ++i) {
+        const Tile tile = tiles[i];
+        tile_.resize(sizeOf(tile) / sizeof(Colour));
+        tiles_.read(offsetOf(tile), tile_.data(), sizeOf(tile));
+        const Colour* from = tile_.data();
+        for (std::size_t y = 0; y < static_cast<std::size_t>(tile.height()); ++y, from += tile.width())
+            std::copy_n(from, tile.width(),
+                        &strip_[y * width() + static_cast<std::size_t>(tile.x0 - region_.x0)]);
     }
-    tiles_.reset();
+    loadedStrip_ = strip;
 }
 
 } // namespace yarte

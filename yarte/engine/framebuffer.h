@@ -2,43 +2,42 @@
 #pragma once
 
 #include "yarte/base/image.h"
-#include "yarte/engine/mapped_memory.h"
 #include "yarte/engine/shared_file.h"
 #include "yarte/trace/render_tile.h"
 
 #include <cstddef>
-#include <memory>
+#include <vector>
 
 namespace yarte {
 
+/// The picture lies in a SharedFile, tile after tile, and is never in memory as a whole a second time: who
+/// writes it to a file needs a strip of tiles at a time.
 class Framebuffer {
 public:
-    enum class Renderers { threads, processes }; ///< threads: of this process
     /// Black. Throws RenderError if the machine has not the memory, before any is taken, or std::bad_alloc.
-    Framebuffer(Tile region, int tileSide, Renderers);
+    Framebuffer(Tile region, int tileSide);
 
     Tile region() const { return region_; }
 
-    /// Takes a tile's pixels, row after row. Called by several renderers at once for different tiles.
+    /// Takes a tile's pixels, row after row. Called by several processes or threads at once for different
+    /// tiles. Throws RenderError.
     void put(Tile, const Colour* tilePixels) const;
-    /// Brings together what processes have put; to be called when all have, before view(). Throws
-    /// RenderError.
-    void gather();
 
-    ImageView view() const { return {region_.width(), region_.height(), pixels()}; }
+    /// What was put; for one reader. Its rows throw RenderError.
+    ImageRows rows();
 
 private:
-    Colour* pixels() const { return static_cast<Colour*>(memory_.get()); }
-    /// The first pixel of row `y` of the image.
-    Colour* row(int y) const { return pixels() + static_cast<std::size_t>(y - region_.y0) * width(); }
-    std::size_t width() const { return static_cast<std::size_t>(region_.width()); }
-    void copyToRows(Tile, const Colour* tilePixels) const;
+    const Colour* row(int y);
+    void loadStrip(int strip);
     std::size_t offsetOf(Tile) const;
+    std::size_t width() const { return static_cast<std::size_t>(region_.width()); }
 
     Tile region_;
     int tileSide_;
-    MappedMemory memory_;
-    std::unique_ptr<SharedFile> tiles_; ///< of processes: tile after tile
+    SharedFile tiles_;
+    // The strip that was asked for last, and a tile of it.
+    std::vector<Colour> strip_, tile_;
+    int loadedStrip_ = -1;
 };
 
 } // namespace yarte

@@ -1,4 +1,4 @@
-// Memory from the system in whole pages, shared with the processes forked afterwards or not.
+// Memory that a process shares with those it forks afterwards.
 #pragma once
 
 #include <cstddef>
@@ -17,8 +17,5 @@ using MappedMemory = std::unique_ptr<void, Unmap>;
 /// `bytes` > 0 zeros, on a page boundary. Pages take up memory when they are first written. Throws
 /// std::bad_alloc.
 MappedMemory mapSharedMemory(std::size_t bytes);
-
-/// The same, but what is written after a fork is not shared; in huge pages where the system has them.
-MappedMemory mapPrivateMemory(std::size_t bytes);
 
 } // namespace yarte

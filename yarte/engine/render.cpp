@@ -32,9 +32,7 @@ bool RenderJob::renderNext(int worker, std::vector<Colour>& pixels) const {
 
 std::optional<Rendering> render(const RenderOptions& options, const TileFunction& renderTile,
                                 const ProgressFunction& progress) {
-    using enum Framebuffer::Renderers;
-    Framebuffer framebuffer(options.region, options.tileSide,
-                            options.mode == RenderMode::processes ? processes : threads);
+    Framebuffer framebuffer(options.region, options.tileSide);
     TileQueue queue(TileList(options.region, options.tileSide));
     const RenderJob job{renderTile, progress, queue, framebuffer};
     int workers = static_cast<int>(std::min(static_cast<std::size_t>(options.workers), queue.tiles().size()));
@@ -48,7 +46,6 @@ std::optional<Rendering> render(const RenderOptions& options, const TileFunction
     case RenderMode::threads: finished = renderInThreads(job, workers); break;
     }
     if (!finished) return std::nullopt;
-    framebuffer.gather();
     return Rendering{std::move(framebuffer), queue.rays(), workers};
 }
 

@@ -6,8 +6,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
-#include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -44,6 +44,9 @@ SharedFile::SharedFile(std::size_t bytes) : file_(openFile(bytes)) {
     if (file_ < 0) memory_ = mapSharedMemory(bytes);
 }
 
+SharedFile::SharedFile(SharedFile&& other) noexcept
+    : file_(std::exchange(other.file_, -1)), memory_(std::move(other.memory_)) {}
+
 SharedFile::~SharedFile() {
     if (file_ >= 0) close(file_);
 }
@@ -59,7 +62,7 @@ void SharedFile::write(std::size_t offset, const void* from, std::size_t bytes) 
     });
 }
 
-void SharedFile::take(std::size_t offset, void* to, std::size_t bytes) const {
+void SharedFile::read(std::size_t offset, void* to, std::size_t bytes) const {
     if (memory_) {
         std::memcpy(to, static_cast<const char*>(memory_.get()) + offset, bytes);
         return;
@@ -67,8 +70,6 @@ void SharedFile::take(std::size_t offset, void* to, std::size_t bytes) const {
     transferAll(bytes, [&](std::size_t done) {
         return pread(file_, static_cast<char*>(to) + done, bytes - done, static_cast<off_t>(offset + done));
     });
-    fallocate(file_, FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, static_cast<off_t>(offset),
-              static_cast<off_t>(bytes)); // whole pages; the others stay, no harm done
 }
 
 } // namespace yarte

@@ -1,4 +1,4 @@
-// SharedFile: bytes that forked processes write and their parent reads.
+// SharedFile: bytes that threads or forked processes write and their parent reads.
 #pragma once
 
 #include "yarte/engine/mapped_memory.h"
@@ -15,13 +15,13 @@ public:
     /// Of `bytes` > 0 zeros. Throws std::bad_alloc.
     explicit SharedFile(std::size_t bytes);
     ~SharedFile();
-    SharedFile(const SharedFile&) = delete;
-    SharedFile& operator=(const SharedFile&) = delete;
+    SharedFile(SharedFile&&) noexcept;
+    SharedFile& operator=(SharedFile&&) = delete;
 
     /// Called by several processes at once for different places. Throws RenderError if memory is used up.
     void write(std::size_t offset, const void* from, std::size_t bytes) const;
-    /// Reads what was written, once: its memory is given back. Throws RenderError.
-    void take(std::size_t offset, void* to, std::size_t bytes) const;
+    /// Reads what was written. Throws RenderError.
+    void read(std::size_t offset, void* to, std::size_t bytes) const;
 
 private:
     int file_ = -1;
