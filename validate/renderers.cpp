@@ -98,8 +98,18 @@ std::vector<std::string> povrayCommand(const RenderSettings& settings, const std
     return command;
 }
 
+/// On a busy machine POV-Ray may give up before it begins, as its threads are late. That says nothing of the
+/// scene: it is asked again.
+bool neverBegan(const ProgramResult& result) {
+    return !result.succeeded() &&
+           result.errorText.find("waiting for worker thread startup") != std::string::npos;
+}
+
 PovrayTimes runPovray(Workshop& workshop, const std::vector<std::string>& command) {
-    const ProgramResult result = workshop.run(command, povrayMemoryLimit);
+    constexpr int attempts = 3;
+    ProgramResult result = workshop.run(command, povrayMemoryLimit);
+    for (int i = 1; i < attempts && neverBegan(result); ++i)
+        result = workshop.run(command, povrayMemoryLimit);
     const std::string said = cleanText(textIfThere(workshop.file(povrayErrorFile)));
     demandSuccess("povray", result, said.empty() ? result.errorText : said);
     const std::string statistics = textIfThere(workshop.file(povrayStatisticsFile));

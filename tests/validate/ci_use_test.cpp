@@ -39,6 +39,24 @@ protected:
     std::vector<std::string> scenes_;
 };
 
+TEST_F(CiUse, APovrayThatGivesUpBeforeItBeginsIsAskedAgain) {
+    addScenes(1);
+    const auto lateUntil = [&](int run) {
+        install("povray",
+                fmt::format("#!/bin/sh\necho x >> \"{0}\"\nif [ $(wc -l < \"{0}\") -lt {1} ]; then\n"
+                            "echo 'Timed out waiting for worker thread startup' >&2; exit 1; fi\n",
+                            (folder_ / "runs").string(), run) +
+                    with(fakePovray, dimSteps).substr(10));
+    };
+    lateUntil(3);
+    EXPECT_EQ(validateScenes(scenes_), 0);
+    EXPECT_EQ(povrayRuns(), 3U);
+    lateUntil(100);
+    EXPECT_EQ(validateScenes(scenes_), 3);
+    EXPECT_THAT(report(), HasSubstr("Timed out waiting for worker thread startup"));
+    EXPECT_EQ(povrayRuns(), 6U);
+}
+
 TEST_F(CiUse, CasesSideBySideAreReportedInTheirOrder) {
     addScenes(7);
     // The first is the slowest.
