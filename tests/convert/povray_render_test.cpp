@@ -1,6 +1,7 @@
 // What POV-Ray makes of our SDL: it reads every scene without a complaint, and shows values that are known in
 // closed form. (Whether whole pictures agree with YARTE's is tested by yarte-validate.)
 #include "tests/convert/support.h"
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +23,7 @@ struct Picture {
 class Povray : public testing::Test {
 protected:
     void SetUp() override {
-        if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+        if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     }
 
     Picture render(const Options& wanted) const {
@@ -30,15 +31,9 @@ protected:
         EXPECT_EQ(run.files.size(), 1U) << run.problems();
         if (run.files.empty()) return {};
         writeFile(folder_ / "scene.pov", run.files[0].bytes);
-        const std::string command = "cd '" + folder_.string() + "' && povray +Iscene.pov +Oout.ppm +FP16 +W" +
-                                    std::to_string(width) + " +H" + std::to_string(height) +
-                                    " -D -A -P +WT1 +Q9 File_Gamma=1 > console.txt 2>&1";
-        int exitCode = std::system(command.c_str());
-        std::string said = readFile(folder_ / "console.txt");
-        for (int again = 0; again < 2 && said.find("worker thread startup") != said.npos; ++again) {
-            exitCode = std::system(command.c_str()); // a busy machine: it has not begun
-            said = readFile(folder_ / "console.txt");
-        }
+        const auto [exitCode, said] =
+            yarte::test::runPovray(folder_, "+Iscene.pov +Oout.ppm +FP16 +W" + std::to_string(width) + " +H" +
+                                                std::to_string(height) + " -D -A -P +WT1 +Q9 File_Gamma=1");
         EXPECT_EQ(exitCode, 0) << said;
         return exitCode == 0 ? Picture{pixels(readFile(folder_ / "out.ppm")), said} : Picture{{}, said};
     }

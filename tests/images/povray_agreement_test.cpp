@@ -1,5 +1,6 @@
 // What YARTE is built for: no pixel of any scene differs from POV-Ray's by more than 4/65535 in linear light.
 // A picture that fails stays in the test's folder: got, expected and difference, with an index.html.
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,7 @@ std::vector<Case> cases() {
 class PovrayAgreement : public testing::TestWithParam<Case> {};
 
 TEST_P(PovrayAgreement, EveryPixelWithinFourSteps) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const fs::path scenes = fs::path(YARTE_SOURCE_DIR) / "scenes", folder = test::emptyTestFolder();
     const auto [scene, size] = GetParam();
     std::vector<std::string> arguments{(scenes / scene / (scene + ".yarte")).string(), "-o", "report"};
@@ -58,7 +59,7 @@ TEST(PovrayAgreement, EverySceneIsExpectedToBeEqual) {
 
 /// POV-Ray's own picture of a scene in its language, and ours of what we read of it.
 TEST(PovrayAgreement, ImportedGlassIsTintedAsPovraysIs) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const fs::path scene = fs::path(YARTE_SOURCE_DIR) / "tests" / "data" / "povray" / "tinted_glass.pov",
                    folder = test::emptyTestFolder();
     const test::ProgramResult result =

@@ -1,6 +1,7 @@
 // A camera's words in many orders: every pixel's ray is POV-Ray's. It renders them within a sphere whose
 // colour says where the ray met it, all as the frames of one animation.
 #include "tests/convert/povray/sdl/run.h"
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 #include "yarte/base/file.h"
 
@@ -132,7 +133,7 @@ Hits hitsOf(const CameraModel& c) {
 }
 
 TEST(SdlCameraWords, HavePovraysRaysInAnyOrder) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const std::vector<std::string> list = cameras();
     const fs::path folder = yarte::test::emptyTestFolder();
     writeFile(folder / "scene.pov", animationOf(list));

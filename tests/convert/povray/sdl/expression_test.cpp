@@ -1,5 +1,6 @@
 // Expressions have the values that POV-Ray itself prints.
 #include "tests/convert/povray/sdl/run.h"
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 
 #include <fmt/format.h>
@@ -126,16 +127,8 @@ std::string made(std::mt19937& random, int depth) {
     }
 }
 
-std::vector<std::string> lines(const std::string& text) {
-    std::vector<std::string> list;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with("@")) list.push_back(line);
-    return list;
-}
-
 TEST(SdlExpression, HasPovraysValue) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     std::vector<std::string> expressions = written();
     std::mt19937 random(4);
     for (int i = 0; i < 300; ++i)
@@ -163,13 +156,12 @@ TEST(SdlExpression, HasPovraysValue) {
 
     const std::filesystem::path folder = yarte::test::emptyTestFolder();
     writeFile(folder / "scene.pov", text);
-    const std::string command =
-        "cd '" + folder.string() + "' && povray +Iscene.pov -F -D +W4 +H4 -P > out.txt 2>&1";
-    ASSERT_EQ(std::system(command.c_str()), 0) << readFile(folder / "out.txt");
-    const std::vector<std::string> theirs = lines(readFile(folder / "out.txt"));
+    const auto [status, said] = yarte::test::runPovray(folder, "+Iscene.pov -F -D +W4 +H4 -P");
+    ASSERT_EQ(status, 0) << said;
+    const std::vector<std::string> theirs = markedLines(said);
     const SdlRun run(text);
     ASSERT_TRUE(run.model) << run.problems();
-    const std::vector<std::string> ours = lines(run.printed);
+    const std::vector<std::string> ours = markedLines(run.printed);
     ASSERT_EQ(theirs.size(), expressions.size());
     ASSERT_EQ(ours.size(), expressions.size());
     for (std::size_t i = 0; i < ours.size(); ++i) {

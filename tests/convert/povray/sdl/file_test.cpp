@@ -1,5 +1,6 @@
 // Files that a program writes and reads: as POV-Ray does, and only where it may.
 #include "tests/convert/povray/sdl/run.h"
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 #include "yarte/base/file.h"
 
@@ -59,14 +60,6 @@ std::string program() {
     return text;
 }
 
-std::vector<std::string> marked(const std::string& text) {
-    std::vector<std::string> list;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-        if (line.starts_with('@')) list.push_back(line);
-    return list;
-}
-
 void writeData(const fs::path& folder) {
     fs::create_directory(folder);
     writeFile(folder / "scene.pov", program());
@@ -81,19 +74,16 @@ void writeData(const fs::path& folder) {
 }
 
 TEST(SdlFile, IsReadAndWrittenAsByPovray) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const fs::path folder = yarte::test::emptyTestFolder(), theirs = folder / "theirs",
                    ours = folder / "ours";
     writeData(theirs), writeData(ours);
-    ASSERT_EQ(
-        std::system(fmt::format("cd '{}' && povray +Iscene.pov -F -D +W4 +H4 > log.txt 2>&1", theirs.string())
-                        .c_str()),
-        0)
-        << readFile(theirs / "log.txt");
+    const auto [status, said] = yarte::test::runPovray(theirs, "+Iscene.pov -F -D +W4 +H4");
+    ASSERT_EQ(status, 0) << said;
     const SdlRun run(program(), ours / "scene.pov", {}, ours);
     ASSERT_TRUE(run.model) << run.problems();
-    EXPECT_EQ(marked(run.printed), marked(readFile(theirs / "log.txt")));
-    EXPECT_GE(marked(run.printed).size(), 50U);
+    EXPECT_EQ(markedLines(run.printed), markedLines(said));
+    EXPECT_GE(markedLines(run.printed).size(), 50U);
     for (const char* file : {"out.txt", "round.txt", "code.inc"})
         EXPECT_EQ(readFile(ours / file), readFile(theirs / file));
 }

@@ -5,10 +5,20 @@
 
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
 namespace yarte::convert::povray::sdl::test {
+
+/// The lines that begin with '@': what a program prints among all that POV-Ray says.
+inline std::vector<std::string> markedLines(const std::string& text) {
+    std::vector<std::string> list;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        if (line.starts_with('@')) list.push_back(line);
+    return list;
+}
 
 struct SdlRun {
     Sources sources;

@@ -5,6 +5,7 @@
 //
 // YARTE_SILHOUETTE_SIZE=320x240 takes all scenes, not every third, and prints a table of what was found.
 #include "tests/convert/povray/sdl/run.h"
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 
 #include "convert/povray/sdl/build_scene.h"
@@ -111,14 +112,14 @@ std::optional<Pixels> byPovray(const fs::path& original, const fs::path& folder,
     writeFile(folder / "flat.pov",
               fmt::format("#include \"{0}\"\nbackground {{ {1} }}\nsky_sphere {{ pigment {{ {1} }} }}\n",
                           original.string(), mark));
-    const std::string command = fmt::format(
-        "cd '{}' && timeout 20 povray +Iflat.pov +Oflat.ppm +FP16 +W{} +H{} -D -A -P +WT1 +Q1 File_Gamma=1 "
-        "'+L{}' > console.txt 2>&1",
-        folder.string(), size.width, size.height, original.parent_path().string());
-    const int status = std::system(command.c_str());
+    const auto [status, said] = yarte::test::runPovray(
+        folder,
+        fmt::format("+Iflat.pov +Oflat.ppm +FP16 +W{} +H{} -D -A -P +WT1 +Q1 File_Gamma=1 '+L{}'", size.width,
+                    size.height, original.parent_path().string()),
+        "timeout 20");
     const bool isLate = WIFEXITED(status) && WEXITSTATUS(status) == 124; // timeout's
     if (!isLate) {
-        EXPECT_EQ(status, 0) << readFile(folder / "console.txt");
+        EXPECT_EQ(status, 0) << said;
     }
     if (status != 0) return std::nullopt;
     Pixels pixels = validate::readPnm(readFile(folder / "flat.ppm")).pixels;
@@ -230,7 +231,7 @@ TEST(SdlSilhouettesCorpora, AreThere) {
 class SdlSilhouettes : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SdlSilhouettes, EverythingIsInItsPlace) {
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const char* const wanted = wantedSize();
     Resolution size{120, 90};
     if (wanted != nullptr) std::sscanf(wanted, "%dx%d", &size.width, &size.height);

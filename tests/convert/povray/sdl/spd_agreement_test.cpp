@@ -5,6 +5,7 @@
 //
 // YARTE_AGREEMENT_SIZE=512x512 takes all the scenes at that size, with a table of how many pixels each of the
 // three explains.
+#include "tests/support/povray.h"
 #include "tests/support/program.h"
 
 #include "convert/povray/sdl/read.h"
@@ -164,7 +165,7 @@ class SpdAgreement : public testing::TestWithParam<Case> {};
 
 TEST_P(SpdAgreement, PicturesAreEqualButForWhatIsExplained) {
     if (std::string(YARTE_CORPORA).empty()) GTEST_SKIP() << "skipped: YARTE_CORPORA is empty";
-    if (std::system("command -v povray > /dev/null") != 0) GTEST_SKIP() << "skipped: povray not found";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
     const Case& c = GetParam();
     const fs::path original = fs::path(YARTE_CORPORA) / "spd" / (c.scene + ".pov"),
                    folder = yarte::test::emptyTestFolder();
