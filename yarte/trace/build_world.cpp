@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -163,30 +164,29 @@ private:
     World& world_;
 };
 
-/// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
-/// products of a few numbers no larger than the largest here. In tilted walls of jittered triangles all of 4
-/// million starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a
-/// sixteenth.
-double roundingOf(const World& world) {
-    double largest = largestOf(world.camera.position);
-    for (std::uint32_t i = 0; i < world.elements.size(); ++i)
-        world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
-            if constexpr (!std::is_same_v<Shape, trace::Plane>) {
-                const Bounds b = bounds(shape);
-                largest = std::max({largest, largestOf(b.low), largestOf(b.high)});
-            }
-        });
-    return 0x1p-46 * largest;
-}
-
-Tree treeOf(const World& world) {
-    if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
+/// Of all elements but planes, which have none.
+std::vector<Bounds> boxesOf(const World& world) {
     std::vector<Bounds> boxes;
     reserveWhole(boxes, world.elements.size());
     for (std::uint32_t i = 0; i < world.elements.size(); ++i)
         world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
             if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
         });
+    return boxes;
+}
+
+/// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
+/// products of a few numbers no larger than the largest here. In tilted walls of jittered triangles all of 4
+/// million starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a
+/// sixteenth.
+double roundingOf(const World& world, std::span<const Bounds> boxes) {
+    double largest = largestOf(world.camera.position);
+    for (const Bounds& b : boxes) largest = std::max({largest, largestOf(b.low), largestOf(b.high)});
+    return 0x1p-46 * largest;
+}
+
+Tree treeOf(const World& world, std::span<const Bounds> boxes) {
+    if (boxes.size() < minElementsForTree) return {};
     Tree tree = buildTree(boxes);
     for (TreeEntry& entry : tree.entries) {
         for (const ElementId plane : world.unbounded) // from the box's number to the element's, first to last
@@ -277,10 +277,11 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     Builder builder(scene, world);
     builder.reserveFaces();
     for (const Body& body : scene.bodies) builder.addBody(body);
-    world.faces.rounding = roundingOf(world);
+    const std::vector<Bounds> boxes = boxesOf(world);
+    world.faces.rounding = roundingOf(world, boxes);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
-    world.tree = treeOf(world);
+    world.tree = treeOf(world, boxes);
     return WorldPtr(owned.release());
 }
 

@@ -32,7 +32,7 @@ namespace {
 
 /// The kernels of one instruction set.
 struct Target {
-    const char* name; ///< as Highway calls it
+    const char* name; ///< as Highway calls it, or "baseline"
     decltype(&HWY_STATIC_DISPATCH(renderTile)) render;
     bool (*runsHere)();
 };
