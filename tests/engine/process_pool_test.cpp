@@ -1,6 +1,6 @@
 #include "yarte/engine/process_pool.h"
 
-#include "yarte/engine/mapped_memory.h"
+#include "yarte/engine/shared_memory.h"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ TEST(ProcessPool, LeavesTheSignalsOfItsMakerAsTheyWere) {
 
 TEST(ProcessPool, WorkersDieWithTheirParentEvenWhenItIsKilled) {
     constexpr int workers = 3;
-    const MappedMemory memory = mapSharedMemory(workers * sizeof(std::atomic<pid_t>));
+    const SharedMemory memory = mapSharedMemory(workers * sizeof(std::atomic<pid_t>));
     auto* const pids = new (memory.get()) std::atomic<pid_t>[workers];
     ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0); // orphans become our children, so that we see them end
 

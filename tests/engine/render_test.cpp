@@ -1,7 +1,7 @@
 // Rendering with invented tile functions: what the engine promises does not depend on the tracer.
 #include "yarte/engine/render.h"
 
-#include "yarte/engine/mapped_memory.h"
+#include "yarte/engine/shared_memory.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ public:
     std::atomic<int>& operator*() const { return *value_; }
 
 private:
-    MappedMemory memory_ = mapSharedMemory(sizeof(std::atomic<int>));
+    SharedMemory memory_ = mapSharedMemory(sizeof(std::atomic<int>));
     std::atomic<int>* value_ = new (memory_.get()) std::atomic<int>(0);
 };
 
@@ -115,7 +115,7 @@ TEST(Render, ProcessesAndThreadsShareTheTiles) {
 
 TEST(Render, AWorkerThatIsKilledOnceOnEveryTileIsSurvived) {
     constexpr int tileCount = 12; // 4 x 3 tiles of 32
-    const MappedMemory memory = mapSharedMemory(tileCount * sizeof(std::atomic<bool>));
+    const SharedMemory memory = mapSharedMemory(tileCount * sizeof(std::atomic<bool>));
     auto* const died = new (memory.get()) std::atomic<bool>[tileCount];
     const auto dieOnce = [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {
         paint(tile, pixels, stride, rays); // dies after its pixels and rays: they must not count twice
@@ -159,7 +159,7 @@ TEST(Render, WorkersKilledFromOutsideAtRandomMomentsChangeNothing) {
     std::mt19937 random(seed);
     // Workers leave their numbers; the progress function shoots at one of them now and then, at most once a
     // tile.
-    const MappedMemory memory = mapSharedMemory(4 * sizeof(std::atomic<pid_t>));
+    const SharedMemory memory = mapSharedMemory(4 * sizeof(std::atomic<pid_t>));
     auto* const pids = new (memory.get()) std::atomic<pid_t>[4];
     const SharedCounter next;
     const auto slow = [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {

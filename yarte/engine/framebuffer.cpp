@@ -10,9 +10,8 @@
 
 namespace yarte {
 
-// The mapping's zeros are black pixels: nothing is constructed, so that each page is first written by who
-// renders it.
-static_assert(std::is_trivially_copyable_v<Colour> && std::is_trivially_destructible_v<Colour>);
+// Pixels are written to the file as they are, and its zeros are black ones.
+static_assert(std::is_trivially_copyable_v<Colour>);
 
 namespace {
 
@@ -54,10 +53,9 @@ const Colour* Framebuffer::row(int y) {
 
 void Framebuffer::loadStrip(int strip) {
     const TileList tiles(region_, tileSide_);
-    const std::size_t columns = (width() - 1) / static_cast<std::size_t>(tileSide_) + 1;
-    const std::size_t first = static_cast<std::size_t>(strip) * columns;
+    const std::size_t first = static_cast<std::size_t>(strip) * tiles.columns();
     strip_.resize(width() * static_cast<std::size_t>(tiles[first].height()));
-    for (std::size_t i = first; i < first + columns; ++i) {
+    for (std::size_t i = first; i < first + tiles.columns(); ++i) {
         const Tile tile = tiles[i];
         tile_.resize(sizeOf(tile) / sizeof(Colour));
         tiles_.read(offsetOf(tile), tile_.data(), sizeOf(tile));

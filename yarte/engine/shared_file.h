@@ -1,7 +1,7 @@
 // SharedFile: bytes that threads or forked processes write and their parent reads.
 #pragma once
 
-#include "yarte/engine/mapped_memory.h"
+#include "yarte/engine/shared_memory.h"
 
 #include <cstddef>
 
@@ -25,7 +25,7 @@ public:
 
 private:
     int file_ = -1;
-    MappedMemory memory_; ///< if there is no file
+    SharedMemory memory_; ///< if there is no file
 };
 
 } // namespace yarte

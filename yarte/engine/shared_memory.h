@@ -12,10 +12,10 @@ struct Unmap {
 };
 
 /// Owned by every process that has it: each unmaps its own view.
-using MappedMemory = std::unique_ptr<void, Unmap>;
+using SharedMemory = std::unique_ptr<void, Unmap>;
 
 /// `bytes` > 0 zeros, on a page boundary. Pages take up memory when they are first written. Throws
 /// std::bad_alloc.
-MappedMemory mapSharedMemory(std::size_t bytes);
+SharedMemory mapSharedMemory(std::size_t bytes);
 
 } // namespace yarte

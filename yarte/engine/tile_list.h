@@ -14,6 +14,7 @@ public:
     TileList(Tile region, int side);
 
     std::size_t size() const { return columns_ * rows_; }
+    std::size_t columns() const { return columns_; } ///< tiles side by side
     Tile operator[](std::size_t index) const;
 
 private:

@@ -2,7 +2,7 @@
 // instruction.
 #pragma once
 
-#include "yarte/engine/mapped_memory.h"
+#include "yarte/engine/shared_memory.h"
 #include "yarte/engine/tile_list.h"
 
 #include <atomic>
@@ -54,7 +54,7 @@ private:
     bool take(std::size_t tile, int worker);
 
     TileList tiles_;
-    MappedMemory memory_; ///< the counters, then one slot a tile
+    SharedMemory memory_; ///< the counters, then one slot a tile
     Counters* counters_;
     Slot* slots_;
 };
