@@ -10,17 +10,15 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#define YARTE_PRECISION inDouble
 #include "yarte/trace/lanes/whitted-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
-void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, Workspace& memory,
-                RayCounts& counts) {
-    if (world.isTinted)
-        WhittedLanes<true>(world, memory, counts).render(tile, pixels, stride);
-    else
-        WhittedLanes<false>(world, memory, counts).render(tile, pixels, stride);
+void renderTileInDouble(const World& world, Tile tile, Colour* pixels, std::size_t stride,
+                        RayCounts& counts) {
+    inDouble::renderTile(world, tile, pixels, stride, counts);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE
@@ -33,7 +31,7 @@ namespace {
 /// The kernels of one instruction set.
 struct Target {
     const char* name; ///< as Highway calls it, or "baseline"
-    decltype(&HWY_STATIC_DISPATCH(renderTile)) render;
+    decltype(&HWY_STATIC_DISPATCH(renderTileInDouble)) render;
     bool (*runsHere)();
 };
 
@@ -58,15 +56,15 @@ bool always() { return true; }
 /// Best first.
 constexpr Target targets[] = {
 #if HWY_TARGETS & HWY_AVX3
-    {"AVX3", &N_AVX3::renderTile, hasAvx3},
+    {"AVX3", &N_AVX3::renderTileInDouble, hasAvx3},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {"AVX2", &N_AVX2::renderTile, hasAvx2},
+    {"AVX2", &N_AVX2::renderTileInDouble, hasAvx2},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {"SSE4", &N_SSE4::renderTile, hasSse4},
+    {"SSE4", &N_SSE4::renderTileInDouble, hasSse4},
 #endif
-    {"baseline", &HWY_STATIC_DISPATCH(renderTile), always},
+    {"baseline", &HWY_STATIC_DISPATCH(renderTileInDouble), always},
 };
 
 const Target* best() {
@@ -78,8 +76,7 @@ const Target* chosen = best();
 } // namespace
 
 void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
-    thread_local Workspace memory;
-    chosen->render(world, tile, pixels, stride, memory, counts);
+    chosen->render(world, tile, pixels, stride, counts);
 }
 
 std::vector<std::string> laneTargets() {

@@ -10,7 +10,7 @@
 #include "yarte/trace/world.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 HWY_INLINE V3 normals(const Sphere& s, V3 point, V) { return normalised(point - spread(s.centre)); }
 HWY_INLINE V3 normals(const Box& b, V3, V part) {
@@ -43,9 +43,10 @@ HWY_INLINE V3 normals(const FaceShape& s, V3, V) { return spread(planeOf(s.table
 
 /// Corners (or vertex normals) of the triangles that the lanes hit.
 struct alignas(64) CornerPacket {
-    double x[3][lanes], y[3][lanes], z[3][lanes];
+    Scalar x[3][lanes], y[3][lanes], z[3][lanes];
     HWY_INLINE void put(std::size_t corner, std::size_t lane, Vec3 v) {
-        x[corner][lane] = v.x, y[corner][lane] = v.y, z[corner][lane] = v.z;
+        x[corner][lane] = static_cast<Scalar>(v.x), y[corner][lane] = static_cast<Scalar>(v.y);
+        z[corner][lane] = static_cast<Scalar>(v.z);
     }
     HWY_INLINE V3 at(std::size_t corner, std::size_t i) const {
         return {load(x[corner] + i), load(y[corner] + i), load(z[corner] + i)};
@@ -83,7 +84,7 @@ HWY_INLINE V3 interpolatedNormals(V3 a, V3 b, V3 c, V3 p, V3 normalA, V3 normalB
 HWY_INLINE void interpolateNormals(const FaceTable& table, const Face* const* faces,
                                    const CornerPacket& corners, PointPacket& points) {
     CornerPacket normals{};
-    alignas(64) double isSmooth[lanes] = {};
+    alignas(64) Scalar isSmooth[lanes] = {};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (!faces[lane] || !faces[lane]->isSmooth) continue;
         isSmooth[lane] = 1;
@@ -102,14 +103,14 @@ HWY_INLINE void interpolateNormals(const FaceTable& table, const Face* const* fa
 /// Triangles all at once, since neighbouring rays often hit different ones of the same mesh: writes their
 /// normals to `points`, and the elements that are no triangles to `others`, noElement in the lanes done.
 HWY_INLINE void triangleNormals(const World& world, const HitPacket& hits, PointPacket& points,
-                                double* others) {
+                                Scalar* others) {
     const FaceTable& table = world.faces;
     const Face* faces[lanes] = {};
     bool someTriangle = false, someSmooth = false;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         others[lane] = hits.element[lane];
         if (others[lane] == noElement) continue;
-        const auto [kind, row] = world.elements[static_cast<std::size_t>(others[lane])];
+        const auto [kind, row] = world.elements[idIn(others[lane])];
         if (kind != Kind::face || table.faces[row].cornerCount != 3) continue;
         faces[lane] = &table.faces[row];
         others[lane] = noElement;
@@ -129,7 +130,7 @@ HWY_INLINE void triangleNormals(const World& world, const HitPacket& hits, Point
     if (someSmooth) interpolateNormals(table, faces, corners, points);
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -10,16 +10,15 @@
 #include "yarte/trace/ray.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
-/// Element ids, sides and parts are kept as doubles: they are exact, and blend with the same masks.
-inline constexpr double noElement = 4294967295.0;
-
+/// Sides, parts and flags are small numbers, ids what laneOf makes of them: they blend with the same masks as
+/// all else.
 struct alignas(64) RayPacket {
-    double ox[lanes], oy[lanes], oz[lanes]; ///< origin
-    double dx[lanes], dy[lanes], dz[lanes]; ///< unit direction
-    double from[lanes];                     ///< element left, or noElement
-    double inside[lanes];                   ///< 1: left to its inside
+    Scalar ox[lanes], oy[lanes], oz[lanes]; ///< origin
+    Scalar dx[lanes], dy[lanes], dz[lanes]; ///< unit direction
+    Scalar from[lanes];                     ///< element left, or noElement
+    Scalar inside[lanes];                   ///< 1: left to its inside
 
     HWY_INLINE V3 origin(std::size_t at) const { return {load(ox + at), load(oy + at), load(oz + at)}; }
     HWY_INLINE V3 direction(std::size_t at) const { return {load(dx + at), load(dy + at), load(dz + at)}; }
@@ -31,7 +30,7 @@ struct alignas(64) RayPacket {
     }
     Ray ray(std::size_t lane) const {
         Ray r{{ox[lane], oy[lane], oz[lane]}, {dx[lane], dy[lane], dz[lane]}, {}};
-        r.from.element.index = static_cast<std::uint32_t>(from[lane]);
+        r.from.element.index = idIn(from[lane]);
         r.from.side = inside[lane] != 0 ? Side::inside : Side::outside;
         return r;
     }
@@ -39,8 +38,8 @@ struct alignas(64) RayPacket {
 
 /// Shear of yarte/trace/face.h. Computed once for a packet, however many faces it meets.
 struct alignas(64) ShearPacket {
-    double slopeX[lanes], slopeY[lanes];
-    double axisX[lanes], axisY[lanes]; ///< flags: the direction's largest component is that one; neither: z
+    Scalar slopeX[lanes], slopeY[lanes];
+    Scalar axisX[lanes], axisY[lanes]; ///< flags: the direction's largest component is that one; neither: z
     /// The same for all lanes: 0, 1, 2; or `mixed`, and the lanes choose by their flags.
     static constexpr int mixed = -1;
     int axis;
@@ -77,7 +76,7 @@ private:
 };
 
 struct alignas(64) HitPacket {
-    double t[lanes], element[lanes], part[lanes], entering[lanes];
+    Scalar t[lanes], element[lanes], part[lanes], entering[lanes];
 };
 
 /// The crossings of one half's lines with a shape: where they enter it and where they leave it.
@@ -86,7 +85,7 @@ struct CrossingLanes {
     M enters, leaves; ///< which of them there are
 };
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

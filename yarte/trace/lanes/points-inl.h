@@ -11,7 +11,7 @@
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 struct C3 {
     V r, g, b;
@@ -30,17 +30,20 @@ HWY_INLINE M isLit(C3 c) {
 }
 
 struct alignas(64) ColourPacket {
-    double r[lanes], g[lanes], b[lanes];
+    Scalar r[lanes], g[lanes], b[lanes];
     HWY_INLINE C3 at(std::size_t i) const { return {load(r + i), load(g + i), load(b + i)}; }
     HWY_INLINE void set(std::size_t i, C3 c) { store(c.r, r + i), store(c.g, g + i), store(c.b, b + i); }
-    void set(std::size_t lane, Colour c) { r[lane] = c.r, g[lane] = c.g, b[lane] = c.b; }
+    void set(std::size_t lane, Colour c) {
+        r[lane] = static_cast<Scalar>(c.r), g[lane] = static_cast<Scalar>(c.g);
+        b[lane] = static_cast<Scalar>(c.b);
+    }
 };
 
 struct alignas(64) GreyPacket {
-    double v[lanes];
+    Scalar v[lanes];
     HWY_INLINE V at(std::size_t i) const { return load(v + i); }
     HWY_INLINE void set(std::size_t i, V value) { store(value, v + i); }
-    void set(std::size_t lane, Colour c) { v[lane] = c.r; }
+    void set(std::size_t lane, Colour c) { v[lane] = static_cast<Scalar>(c.r); }
 };
 
 /// What is left of light on its way: one number for all channels, unless there are tints in the world.
@@ -67,11 +70,11 @@ HWY_INLINE Passing<isTinted> passing(Colour c) {
 
 /// Surface points and their materials, lane by lane. Lanes without a hit hold zeros.
 struct alignas(64) PointPacket {
-    double px[lanes], py[lanes], pz[lanes]; ///< position
-    double nx[lanes], ny[lanes], nz[lanes]; ///< unit normal, turned to face the viewer
-    double body[lanes];                     ///< index of the body, or noElement
-    double exponent[lanes], reflection[lanes];
-    double totalReflection[lanes]; ///< 0 where nothing passes
+    Scalar px[lanes], py[lanes], pz[lanes]; ///< position
+    Scalar nx[lanes], ny[lanes], nz[lanes]; ///< unit normal, turned to face the viewer
+    Scalar body[lanes];                     ///< laneOf the body, or noElement
+    Scalar exponent[lanes], reflection[lanes];
+    Scalar totalReflection[lanes]; ///< 0 where nothing passes
     ColourPacket ambient, diffuse, specular;
 
     HWY_INLINE V3 position(std::size_t i) const { return {load(px + i), load(py + i), load(pz + i)}; }
@@ -81,7 +84,7 @@ struct alignas(64) PointPacket {
     }
 };
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

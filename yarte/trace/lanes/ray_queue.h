@@ -1,4 +1,4 @@
-// RayQueue: the rays of one generation that wait to be traced, component by component, so that packets load
+// RayQueueOf: the rays of one generation that wait to be traced, component by component, so that packets load
 // straight from it.
 #pragma once
 
@@ -14,8 +14,10 @@
 
 namespace yarte::trace {
 
-/// All components are doubles: ids, levels and flags are small integers, which doubles hold exactly.
-class RayQueue {
+/// All components are of the type that the kernels compute in: levels, flags and pixels of a block are small
+/// integers, which it holds exactly; for ids see scalar.h.
+template <class Scalar>
+class RayQueueOf {
 public:
     /// The weight is one number, or, where there are tints, one for each channel.
     enum Component {
@@ -43,10 +45,10 @@ public:
     }
 
     std::size_t size() const { return size_; }
-    const double* at(Component c, std::size_t i) const { return data_.get() + c * capacity_ + i; }
+    const Scalar* at(Component c, std::size_t i) const { return data_.get() + c * capacity_ + i; }
 
     void clear() { size_ = 0; }
-    void swap(RayQueue& other) {
+    void swap(RayQueueOf& other) {
         std::swap(data_, other.data_), std::swap(capacity_, other.capacity_), std::swap(size_, other.size_);
     }
 
@@ -55,16 +57,16 @@ public:
         if (size_ + count + slack <= capacity_) return;
         const std::size_t capacity =
             std::max<std::size_t>(2 * capacity_, (size_ + count + slack + 63) / 64 * 64);
-        Data data(new (alignment) double[capacity * componentCount]);
+        Data data(new (alignment) Scalar[capacity * componentCount]);
         for (std::size_t c = 0; c < components_ && size_ > 0; ++c)
             std::copy_n(data_.get() + c * capacity_, size_, data.get() + c * capacity);
         data_ = std::move(data), capacity_ = capacity;
     }
     /// Where the next ray's component goes, after reserve().
-    double* end(Component c) { return data_.get() + c * capacity_ + size_; }
+    Scalar* end(Component c) { return data_.get() + c * capacity_ + size_; }
     void grow(std::size_t count) { size_ += count; }
 
-    void append(const RayQueue& other) {
+    void append(const RayQueueOf& other) {
         if (other.size_ == 0) return;
         reserve(other.size_);
         for (std::size_t c = 0; c < components_; ++c)
@@ -82,9 +84,9 @@ private:
     static constexpr std::size_t slack = 64;
     static constexpr std::align_val_t alignment{64}; // of the widest vectors
     struct Free {
-        void operator()(double* data) const { ::operator delete[](data, alignment); }
+        void operator()(Scalar* data) const { ::operator delete[](data, alignment); }
     };
-    using Data = std::unique_ptr<double[], Free>;
+    using Data = std::unique_ptr<Scalar[], Free>;
 
     Data data_;
     std::size_t components_ = componentCount; ///< in use
@@ -93,10 +95,11 @@ private:
 
 /// What the tracing of a tile needs of memory, for the next tile to use again: given back in between, the
 /// system would clear and hand out the same pages for every tile, which took longer than the tracing.
+template <class Scalar>
 struct Workspace {
     std::vector<ElementId> blockers; ///< of each light; see findShadows
     std::vector<Colour> sums;        ///< of a block's pixels
-    RayQueue current, reflected, transmitted;
+    RayQueueOf<Scalar> current, reflected, transmitted;
 };
 
 } // namespace yarte::trace

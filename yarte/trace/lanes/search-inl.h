@@ -12,7 +12,7 @@
 #include "yarte/trace/world.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 /// A packet as all kernels see it: what only some shapes need is computed once.
 struct Lines {
@@ -35,7 +35,7 @@ struct Departing {
     M any, inside;
 };
 
-HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, double element) {
+HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, Scalar element) {
     const M departs = load(rays.from + at) == set(element);
     return {departs, hn::And(departs, isSet(load(rays.inside + at)))};
 }
@@ -43,7 +43,7 @@ HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, double ele
 /// The crossings that count: ahead of the start, and not the start itself. Those beyond `limit` may be left
 /// out.
 template <class Shape>
-HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, double element,
+HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, Scalar element,
                                V limit) {
     const V zero = set(0);
     CrossingLanes c = crossings(shape, lines, at, limit);
@@ -65,7 +65,7 @@ HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size
 }
 
 template <class Shape>
-HWY_INLINE bool improve(const Shape& shape, double element, const Lines& lines, std::uint32_t mask,
+HWY_INLINE bool improve(const Shape& shape, Scalar element, const Lines& lines, std::uint32_t mask,
                         HitPacket& best) {
     bool improved = false;
     for (std::size_t at = 0; at < lanes; at += half) {
@@ -106,7 +106,7 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
     const Lines lines{rays, shear};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
         return world.visit(id, [&](const auto& shape)
-                                   HWY_ATTR { return improve(shape, id.index, lines, mask, best); });
+                                   HWY_ATTR { return improve(shape, laneOf(id.index), lines, mask, best); });
     };
     if (world.tree.empty()) {
         for (std::uint32_t i = 0; i < world.elements.size(); ++i) test({i}, allLanes);
@@ -119,7 +119,7 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
         for (std::uint32_t i = 0; i < leaf.count; ++i) {
             const TreeEntry& entry = world.tree.entries[leaf.first + i];
             improved |= isTriangle(entry)
-                            ? improve(triangle(world, entry), entry.element.index, lines, mask, best)
+                            ? improve(triangle(world, entry), laneOf(entry.element.index), lines, mask, best)
                             : test(entry.element, mask);
         }
         if (improved) slab.setMax(best.t);
@@ -127,15 +127,15 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
     });
 }
 
-/// What is known of the light of each lane while its way is searched; flags and counts as doubles.
+/// What is known of the light of each lane while its way is searched; flags and counts as numbers.
 struct alignas(64) ShadowPacket {
     /// Worlds with more distinct transmissions than this have their dimmed lanes traced one by one.
     static constexpr std::size_t maxLevels = 4;
 
-    double distance[lanes];
-    double blocked[lanes];
+    Scalar distance[lanes];
+    Scalar blocked[lanes];
     /// Surfaces of each of World::transmissions; those beyond count in the last.
-    double crossed[maxLevels][lanes];
+    Scalar crossed[maxLevels][lanes];
 };
 
 /// True if it blocks a lane.
@@ -146,7 +146,7 @@ HWY_INLINE bool castShadow(const Shape& shape, ElementId element, const World& w
     for (std::size_t at = 0; at < lanes; at += half) {
         if (!holds(mask, at)) continue;
         const V distance = load(shadow.distance + at);
-        const CrossingLanes c = ahead(shape, lines, at, element.index, distance);
+        const CrossingLanes c = ahead(shape, lines, at, laneOf(element.index), distance);
         const M enters = hn::And(c.enters, c.enter < distance),
                 leaves = hn::And(c.leaves, c.leave < distance);
         const M crossed = hn::Or(enters, leaves);
@@ -158,7 +158,7 @@ HWY_INLINE bool castShadow(const Shape& shape, ElementId element, const World& w
         } else {
             const std::size_t level =
                 std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
-            double* count = shadow.crossed[level] + at;
+            Scalar* count = shadow.crossed[level] + at;
             store(load(count) + flag(enters) + flag(leaves), count);
         }
     }
@@ -198,7 +198,7 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
         test(plane, allLanes);
         if (allBlocked(shadow)) return;
     }
-    alignas(64) double reach[lanes];
+    alignas(64) Scalar reach[lanes];
     for (std::size_t at = 0; at < lanes; at += half)
         store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
     SlabPacket slab(world.tree, rays, reach);
@@ -221,7 +221,7 @@ HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowP
     });
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

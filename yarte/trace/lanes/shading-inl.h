@@ -12,13 +12,13 @@
 #include "yarte/trace/phong.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 /// Blends the appearance of a body into the lanes that hit it.
-HWY_INLINE void blendAppearance(const BodyAppearance& body, double index, const double* isBack,
+HWY_INLINE void blendAppearance(const BodyAppearance& body, Scalar id, const Scalar* isBack,
                                 PointPacket& points) {
     for (std::size_t at = 0; at < lanes; at += half) {
-        const M mine = load(points.body + at) == set(index), back = isSet(load(isBack + at));
+        const M mine = load(points.body + at) == set(id), back = isSet(load(isBack + at));
         if (!any(mine)) continue;
         const auto blend = [&](ColourPacket& to, const Colour* sides) HWY_ATTR {
             to.set(at, select(mine, select(back, spread(sides[1]), spread(sides[0])), to.at(at)));
@@ -35,7 +35,7 @@ HWY_INLINE void blendAppearance(const BodyAppearance& body, double index, const 
 /// Calls `visit(lane)` for the first lane of each distinct value that is not `skipped`: few in a coherent
 /// packet.
 template <class Visit>
-HWY_INLINE void forEachDistinct(const double* values, double skipped, Visit&& visit) {
+HWY_INLINE void forEachDistinct(const Scalar* values, Scalar skipped, Visit&& visit) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         bool isSeen = values[lane] == skipped;
         for (std::size_t before = lane; before-- > 0 && !isSeen;) isSeen = values[before] == values[lane];
@@ -50,11 +50,11 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
         const V3 p = rays.origin(at) + rays.direction(at) * load(hits.t + at);
         store(p.x, points.px + at), store(p.y, points.py + at), store(p.z, points.pz + at);
     }
-    alignas(64) double others[lanes]; // elements that are no triangles
+    alignas(64) Scalar others[lanes]; // elements that are no triangles
     triangleNormals(world, hits, points, others);
     forEachDistinct(others, noElement, [&](std::size_t lane) HWY_ATTR {
-        const double element = others[lane];
-        world.visit({static_cast<std::uint32_t>(element)}, [&](const auto& shape) HWY_ATTR {
+        const Scalar element = others[lane];
+        world.visit({idIn(element)}, [&](const auto& shape) HWY_ATTR {
             for (std::size_t at = 0; at < lanes; at += half) {
                 const M mine = load(others + at) == set(element);
                 if (!any(mine)) continue;
@@ -63,7 +63,7 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
             }
         });
     });
-    alignas(64) double isBack[lanes];
+    alignas(64) Scalar isBack[lanes];
     for (std::size_t at = 0; at < lanes; at += half) {
         const V3 outward = points.normal(at);
         const M back = dot(rays.direction(at), outward) > set(0);
@@ -71,13 +71,11 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
         store(flag(back), isBack + at);
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const double element = hits.element[lane];
-        points.body[lane] =
-            element == noElement ? noElement : world.bodyOf({static_cast<std::uint32_t>(element)}).index;
+        const Scalar element = hits.element[lane];
+        points.body[lane] = element == noElement ? noElement : laneOf(world.bodyOf({idIn(element)}).index);
     }
     forEachDistinct(points.body, noElement, [&](std::size_t lane) HWY_ATTR {
-        blendAppearance(world.bodies[static_cast<std::size_t>(points.body[lane])], points.body[lane], isBack,
-                        points);
+        blendAppearance(world.bodies[idIn(points.body[lane])], points.body[lane], isBack, points);
     });
 }
 
@@ -115,7 +113,7 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
     RayPacket toLight;
     ShadowPacket shadow;
     PassingPacket<isTinted> arriving;
-    alignas(64) double cosines[lanes];
+    alignas(64) Scalar cosines[lanes];
     for (std::size_t l = 0; l < world.lights.size(); ++l) {
         const Light& light = world.lights[l];
         bool someLit = false;
@@ -154,7 +152,7 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
     }
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -18,7 +18,7 @@
 #include "yarte/trace/truncated_cone.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 HWY_INLINE CrossingLanes noCrossings() { return {set(0), set(0), set(0), set(0), none(), none()}; }
 
@@ -176,13 +176,13 @@ HWY_INLINE CrossingLanes crossings(const Plane& s, V3 origin, V3 direction) {
 
 /// Where rounded products do not decide, which is rare, lane by lane with exact ones.
 HWY_NOINLINE M exactlyGreater(V ax, V by, V bx, V ay) {
-    alignas(64) double a[half], b[half], c[half], d[half], result[half];
+    alignas(64) Scalar a[half], b[half], c[half], d[half], result[half];
     store(ax, a), store(by, b), store(bx, c), store(ay, d);
     for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) > 0 ? 1 : 0;
     return isSet(load(result));
 }
 HWY_NOINLINE M exactlyLess(V ax, V by, V bx, V ay) {
-    alignas(64) double a[half], b[half], c[half], d[half], result[half];
+    alignas(64) Scalar a[half], b[half], c[half], d[half], result[half];
     store(ax, a), store(by, b), store(bx, c), store(ay, d);
     for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) < 0 ? 1 : 0;
     return isSet(load(result));
@@ -266,7 +266,7 @@ HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, co
     return onceCrossed(t, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

@@ -11,19 +11,20 @@
 #include "yarte/trace/tree.h"
 
 #include <limits>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 /// A packet's rays relative to the tree's centre, in float. A ray that starts far outside the tree is moved
-/// up to it first (in double), so that float always has the tree's own scale to work on.
+/// up to it first (before it is rounded to float), so that float always has the tree's own scale to work on.
 struct alignas(64) SlabPacket {
     float ix[lanes], iy[lanes], iz[lanes]; ///< inverse direction
     float ox[lanes], oy[lanes], oz[lanes]; ///< origin times inverse direction
     float tMax[lanes];                     ///< from the moved origin, rounded up
-    double moved[lanes];                   ///< how far
+    Scalar moved[lanes];                   ///< how far
 
-    HWY_INLINE SlabPacket(const Tree& tree, const RayPacket& rays, const double* distance) {
+    HWY_INLINE SlabPacket(const Tree& tree, const RayPacket& rays, const Scalar* distance) {
         for (std::size_t at = 0; at < lanes; at += half) {
             const V3 o = rays.origin(at) - spread(tree.centre), d = rays.direction(at);
             const V ahead = greatest(set(0), hn::Neg(dot(o, d)) - set(tree.radius));
@@ -35,17 +36,21 @@ struct alignas(64) SlabPacket {
         invert(ix, ox), invert(iy, oy), invert(iz, oz);
         setMax(distance);
     }
-    HWY_INLINE void setMax(const double* t) {
+    HWY_INLINE void setMax(const Scalar* t) {
         for (std::size_t at = 0; at < lanes; at += half)
             demote(least((load(t + at) - load(moved + at)) * set(1 + 0x1p-22), set(largest)), tMax + at);
     }
 
 private:
-    static constexpr double largest = std::numeric_limits<float>::max(); // nearer than what is missed
+    static constexpr Scalar largest = std::numeric_limits<float>::max(); // nearer than what is missed
 
-    HWY_INLINE static void demote(V v, float* to) {
+    template <class Vector> // V, of whichever scalars
+    HWY_INLINE static void demote(Vector v, float* to) {
         const hn::Rebind<float, D> f;
-        hn::Store(hn::DemoteTo(f, v), f, to);
+        if constexpr (std::is_same_v<Vector, hn::Vec<decltype(f)>>)
+            hn::Store(v, f, to);
+        else
+            hn::Store(hn::DemoteTo(f, v), f, to);
     }
     /// Along an axis where the direction's component is so small that its inverse would overflow, the line
     /// stands still.
@@ -135,7 +140,7 @@ HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
     }
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

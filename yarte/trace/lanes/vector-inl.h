@@ -1,8 +1,8 @@
 // Vectors of lanes: the names and few helpers that the kernels share. Every operation here rounds as its
 // scalar namesake does, and none is fused: a lane computes the bits that scalar code computes.
 //
-// This and the other -inl.h files are compiled once per instruction set: see lanes.cpp and Highway's
-// documentation.
+// This and the other -inl.h files are compiled once per instruction set and scalar type: see lanes.cpp,
+// scalar.h and Highway's documentation.
 #if defined(YARTE_TRACE_LANES_VECTOR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef YARTE_TRACE_LANES_VECTOR_INL_H
 #undef YARTE_TRACE_LANES_VECTOR_INL_H
@@ -12,30 +12,32 @@
 
 #include "yarte/base/colour.h"
 #include "yarte/base/vec3.h"
+#include "yarte/trace/lanes/scalar.h"
 
 #include <hwy/highway.h>
 
 #include <cstddef>
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
 namespace hn = hwy::HWY_NAMESPACE;
+using namespace trace::YARTE_PRECISION;
 
-using D = hn::ScalableTag<double>;
+using D = hn::ScalableTag<Scalar>;
 using F = hn::ScalableTag<float>;
 using V = hn::Vec<D>;
 using M = hn::Mask<D>;
 using VF = hn::Vec<F>;
 using MF = hn::Mask<F>;
 
-/// Rays in a packet: one float vector of boxes, two double vectors ("halves") of shapes.
+/// Rays in a packet: one float vector of boxes; of shapes one vector, too, or in double two ("halves").
 inline constexpr std::size_t lanes = HWY_LANES(float);
-inline constexpr std::size_t half = HWY_LANES(double);
+inline constexpr std::size_t half = HWY_LANES(Scalar);
 
-HWY_INLINE V set(double x) { return hn::Set(D(), x); }
-HWY_INLINE V load(const double* from) { return hn::Load(D(), from); }
-HWY_INLINE void store(V v, double* to) { hn::Store(v, D(), to); }
+HWY_INLINE V set(double x) { return hn::Set(D(), static_cast<Scalar>(x)); }
+HWY_INLINE V load(const Scalar* from) { return hn::Load(D(), from); }
+HWY_INLINE void store(V v, Scalar* to) { hn::Store(v, D(), to); }
 HWY_INLINE V select(M mask, V yes, V no) { return hn::IfThenElse(mask, yes, no); }
 HWY_INLINE V least(V a, V b) { return select(b < a, b, a); }    // std::min
 HWY_INLINE V greatest(V a, V b) { return select(a < b, b, a); } // std::max
@@ -44,16 +46,18 @@ HWY_INLINE M none() { return set(0) != set(0); }
 HWY_INLINE M isSet(V flag) { return flag != set(0); }
 HWY_INLINE V flag(M mask) { return hn::IfThenElseZero(mask, set(1)); }
 
+using LaneNumber = hn::TFromD<hn::RebindToSigned<D>>;
+
 /// Writes the numbers of the lanes that are on to `order`, which has room for one more than there are lanes,
 /// and returns how many. What follows them is a valid lane number too.
-HWY_INLINE std::size_t listLanes(M mask, std::int64_t* order) {
+HWY_INLINE std::size_t listLanes(M mask, LaneNumber* order) {
     std::uint8_t bits[8] = {};
     hn::StoreMaskBits(D(), mask, bits);
     std::size_t count = 0;
     for (std::size_t i = 0; i <= half; ++i) order[i] = 0;
     for (std::size_t i = 0; i < half; ++i) {
-        order[count] = static_cast<std::int64_t>(i);
-        count += bits[0] >> i & 1;
+        order[count] = static_cast<LaneNumber>(i);
+        count += bits[i / 8] >> i % 8 & 1;
     }
     return count;
 }
@@ -84,7 +88,7 @@ HWY_INLINE V3 toWorld(const Axes& f, V3 v) {
     return spread(f.x) * v.x + spread(f.y) * v.y + spread(f.z) * v.z;
 }
 
-} // namespace yarte::trace::HWY_NAMESPACE
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif

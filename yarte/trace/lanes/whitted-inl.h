@@ -11,12 +11,14 @@
 #include "yarte/trace/lanes/shading-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace yarte::trace::HWY_NAMESPACE {
+namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
+
+using RayQueue = RayQueueOf<Scalar>;
 
 template <bool isTinted>
 class WhittedLanes {
 public:
-    WhittedLanes(const World& world, Workspace& memory, RayCounts& counts)
+    WhittedLanes(const World& world, Workspace<Scalar>& memory, RayCounts& counts)
         : world_(world), counts_(counts), media_(world), blockers_(memory.blockers), sums_(memory.sums),
           current_(memory.current), reflected_(memory.reflected), transmitted_(memory.transmitted) {
         for (RayQueue* queue : {&current_, &reflected_, &transmitted_}) queue->start(isTinted);
@@ -56,14 +58,14 @@ private:
         constexpr int square = 4;
         current_.clear();
         current_.reserve(sums_.size());
-        double *u = current_.end(RayQueue::dx), *v = current_.end(RayQueue::dy),
+        Scalar *u = current_.end(RayQueue::dx), *v = current_.end(RayQueue::dy),
                *pixel = current_.end(RayQueue::pixel);
         for (int y0 = block.y0; y0 < block.y1; y0 += square)
             for (int x0 = block.x0; x0 < block.x1; x0 += square)
                 for (int y = y0; y < std::min(y0 + square, block.y1); ++y)
                     for (int x = x0; x < std::min(x0 + square, block.x1); ++x) {
-                        *u++ = x, *v++ = y;
-                        *pixel++ = (y - block.y0) * block.width() + (x - block.x0);
+                        *u++ = static_cast<Scalar>(x), *v++ = static_cast<Scalar>(y);
+                        *pixel++ = static_cast<Scalar>((y - block.y0) * block.width() + (x - block.x0));
                     }
         for (std::size_t i = 0; i < sums_.size(); i += half) aimCameraRays(i);
         current_.grow(sums_.size());
@@ -104,7 +106,7 @@ private:
     }
 
     HWY_INLINE void loadPacket(std::size_t first, RayPacket& rays) const {
-        double* const to[] = {rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.from, rays.inside};
+        Scalar* const to[] = {rays.ox, rays.oy, rays.oz, rays.dx, rays.dy, rays.dz, rays.from, rays.inside};
         for (int c = 0; c <= RayQueue::inside; ++c)
             for (std::size_t at = 0; at < lanes; at += half)
                 store(queued(RayQueue::Component(c), first + at), to[c] + at);
@@ -153,7 +155,7 @@ private:
     HWY_INLINE void push(RayQueue& queue, M mask, std::size_t index, V3 origin, V3 direction, V from,
                          V inside, Passing<isTinted> weight, V levels, V media) {
         queue.reserve(half);
-        alignas(64) std::int64_t order[half + 1];
+        alignas(64) LaneNumber order[half + 1];
         const std::size_t count = listLanes(mask, order);
         const auto indices = hn::SetTableIndices(D(), order);
         const auto put = [&](RayQueue::Component c, V value) HWY_ATTR {
@@ -181,17 +183,18 @@ private:
     HWY_INLINE void pushTransmitted(std::size_t index, std::size_t at, M mask, const RayPacket& rays,
                                     const HitPacket& hits, const PointPacket& points,
                                     const RayPacket& mirrors) {
-        alignas(64) double lanesOn[half], ratios[half], continued[half], after[half];
+        alignas(64) Scalar lanesOn[half], ratios[half], continued[half], after[half];
         [[maybe_unused]] ColourPacket transmission; // of the lanes that are on, from 0
         store(flag(mask), lanesOn);
         for (std::size_t i = 0; i < half; ++i) {
             ratios[i] = 1, continued[i] = 0, after[i] = 0;
             if (lanesOn[i] == 0) continue;
-            const ElementId element{static_cast<std::uint32_t>(hits.element[at + i])};
+            const ElementId element{idIn(hits.element[at + i])};
             const auto before = static_cast<MediaIndex>(*current_.at(RayQueue::media, index + i));
             const MediaPool::Transition& transition = media_.pass(before, world_.bodyOf(element));
             if constexpr (isTinted) transmission.set(i, world_.appearanceOf(element).transmission);
-            ratios[i] = transition.ratio, continued[i] = transition.isContinued, after[i] = transition.after;
+            ratios[i] = static_cast<Scalar>(transition.ratio), continued[i] = transition.isContinued;
+            after[i] = static_cast<Scalar>(transition.after);
         }
         const V zero = set(0), one = set(1), ratio = load(ratios);
         const V3 d = rays.direction(at), n = points.normal(at);
@@ -219,7 +222,17 @@ private:
     std::vector<Colour>& sums_;        ///< of the block's pixels
     RayQueue &current_, &reflected_, &transmitted_;
 };
-} // namespace yarte::trace::HWY_NAMESPACE
+
+HWY_INLINE void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride,
+                           RayCounts& counts) {
+    thread_local Workspace<Scalar> memory;
+    if (world.isTinted)
+        WhittedLanes<true>(world, memory, counts).render(tile, pixels, stride);
+    else
+        WhittedLanes<false>(world, memory, counts).render(tile, pixels, stride);
+}
+
+} // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
 HWY_AFTER_NAMESPACE();
 
 #endif
