@@ -16,13 +16,10 @@ struct PovrayRun {
     std::string said; ///< on the console
 };
 
-/// In `folder`, where its words also go to console.txt. `limit`: a command in front of it, such as "timeout
-/// 20". On a busy machine POV-Ray may give up before it begins, as its threads are late; it is then asked
-/// again.
-inline PovrayRun runPovray(const std::filesystem::path& folder, const std::string& arguments,
-                           const std::string& limit = "") {
-    const std::string command =
-        "cd '" + folder.string() + "' && " + limit + " povray " + arguments + " > console.txt 2>&1";
+/// In `folder`, where its words also go to console.txt. On a busy machine POV-Ray may give up before it
+/// begins, as its threads are late; it is then asked again.
+inline PovrayRun runPovray(const std::filesystem::path& folder, const std::string& arguments) {
+    const std::string command = "cd '" + folder.string() + "' && povray " + arguments + " > console.txt 2>&1";
     for (int attemptsLeft = 2;; --attemptsLeft) {
         const int status = std::system(command.c_str());
         std::string said = readFile(folder / "console.txt");
