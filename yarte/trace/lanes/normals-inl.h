@@ -12,7 +12,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
-HWY_INLINE V3 normals(const Sphere& s, V3 point, V) { return normalised(point - spread(s.centre)); }
 HWY_INLINE V3 normals(const Box& b, V3, V part) {
     const V3 axis =
         select(part < set(2), spread(b.axes.x), select(part < set(4), spread(b.axes.y), spread(b.axes.z)));
@@ -101,19 +100,17 @@ HWY_INLINE void interpolateNormals(const FaceTable& table, const Face* const* fa
 }
 
 /// Triangles all at once, since neighbouring rays often hit different ones of the same mesh: writes their
-/// normals to `points`, and the elements that are no triangles to `others`, noElement in the lanes done.
-HWY_INLINE void triangleNormals(const World& world, const HitPacket& hits, PointPacket& points,
-                                Scalar* others) {
+/// normals to `points`, and noElement to `elements` in the lanes done.
+HWY_INLINE void triangleNormals(const World& world, Scalar* elements, PointPacket& points) {
     const FaceTable& table = world.faces;
     const Face* faces[lanes] = {};
     bool someTriangle = false, someSmooth = false;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
-        others[lane] = hits.element[lane];
-        if (others[lane] == noElement) continue;
-        const auto [kind, row] = world.elements[idIn(others[lane])];
+        if (elements[lane] == noElement) continue;
+        const auto [kind, row] = world.elements[idIn(elements[lane])];
         if (kind != Kind::face || table.faces[row].cornerCount != 3) continue;
         faces[lane] = &table.faces[row];
-        others[lane] = noElement;
+        elements[lane] = noElement;
         someTriangle = true, someSmooth = someSmooth || faces[lane]->isSmooth;
     }
     if (!someTriangle) return;
@@ -128,6 +125,27 @@ HWY_INLINE void triangleNormals(const World& world, const HitPacket& hits, Point
                                            ab.x * ac.y - ab.y * ac.x}));
     }
     if (someSmooth) interpolateNormals(table, faces, corners, points);
+}
+
+/// The same for spheres: rays that were reflected by small ones go apart and meet as many.
+HWY_INLINE void sphereNormals(const World& world, Scalar* elements, PointPacket& points) {
+    alignas(64) Scalar x[lanes] = {}, y[lanes] = {}, z[lanes] = {}, isSphere[lanes] = {};
+    bool someSphere = false;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (elements[lane] == noElement) continue;
+        const auto [kind, row] = world.elements[idIn(elements[lane])];
+        if (kind != Kind::sphere) continue;
+        const Vec3 centre = world.spheres[row].centre;
+        x[lane] = static_cast<Scalar>(centre.x), y[lane] = static_cast<Scalar>(centre.y);
+        z[lane] = static_cast<Scalar>(centre.z);
+        isSphere[lane] = 1, elements[lane] = noElement;
+        someSphere = true;
+    }
+    if (!someSphere) return;
+    for (std::size_t at = 0; at < lanes; at += half) {
+        const V3 outward = normalised(points.position(at) - V3{load(x + at), load(y + at), load(z + at)});
+        points.setNormal(at, select(isSet(load(isSphere + at)), outward, points.normal(at)));
+    }
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION

@@ -77,6 +77,13 @@ private:
 
 struct alignas(64) HitPacket {
     Scalar t[lanes], element[lanes], part[lanes], entering[lanes];
+
+    HWY_INLINE bool isEmpty() const {
+        M some = none();
+        for (std::size_t at = 0; at < lanes; at += half)
+            some = hn::Or(some, load(element + at) != set(noElement));
+        return !any(some);
+    }
 };
 
 /// The crossings of one half's lines with a shape: where they enter it and where they leave it.

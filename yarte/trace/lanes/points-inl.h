@@ -68,11 +68,10 @@ HWY_INLINE Passing<isTinted> passing(Colour c) {
         return set(c.r);
 }
 
-/// Surface points and their materials, lane by lane. Lanes without a hit hold zeros.
+/// Surface points and their materials, lane by lane. Lanes without a hit hold nothing that counts.
 struct alignas(64) PointPacket {
     Scalar px[lanes], py[lanes], pz[lanes]; ///< position
     Scalar nx[lanes], ny[lanes], nz[lanes]; ///< unit normal, turned to face the viewer
-    Scalar body[lanes];                     ///< laneOf the body, or noElement
     Scalar exponent[lanes], reflection[lanes];
     Scalar totalReflection[lanes]; ///< 0 where nothing passes
     ColourPacket ambient, diffuse, specular;

@@ -14,22 +14,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
-/// Blends the appearance of a body into the lanes that hit it.
-HWY_INLINE void blendAppearance(const BodyAppearance& body, Scalar id, const Scalar* isBack,
-                                PointPacket& points) {
-    for (std::size_t at = 0; at < lanes; at += half) {
-        const M mine = load(points.body + at) == set(id), back = isSet(load(isBack + at));
-        if (!any(mine)) continue;
-        const auto blend = [&](ColourPacket& to, const Colour* sides) HWY_ATTR {
-            to.set(at, select(mine, select(back, spread(sides[1]), spread(sides[0])), to.at(at)));
-        };
-        blend(points.ambient, body.ambient), blend(points.diffuse, body.diffuse),
-            blend(points.specular, body.specular);
-        store(select(mine, set(body.exponent), load(points.exponent + at)), points.exponent + at);
-        store(select(mine, set(body.reflection), load(points.reflection + at)), points.reflection + at);
-        store(select(mine, set(body.totalReflection), load(points.totalReflection + at)),
-              points.totalReflection + at);
-    }
+/// Writes the appearance of a body, seen from its front or back, to one lane.
+HWY_INLINE void setAppearance(const BodyAppearance& body, bool isBack, std::size_t lane,
+                              PointPacket& points) {
+    points.ambient.set(lane, body.ambient[isBack]);
+    points.diffuse.set(lane, body.diffuse[isBack]);
+    points.specular.set(lane, body.specular[isBack]);
+    points.exponent[lane] = static_cast<Scalar>(body.exponent);
+    points.reflection[lane] = static_cast<Scalar>(body.reflection);
+    points.totalReflection[lane] = static_cast<Scalar>(body.totalReflection);
 }
 
 /// Calls `visit(lane)` for the first lane of each distinct value that is not `skipped`: few in a coherent
@@ -50,17 +43,20 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
         const V3 p = rays.origin(at) + rays.direction(at) * load(hits.t + at);
         store(p.x, points.px + at), store(p.y, points.py + at), store(p.z, points.pz + at);
     }
-    alignas(64) Scalar others[lanes]; // elements that are no triangles
-    triangleNormals(world, hits, points, others);
+    alignas(64) Scalar others[lanes]; // elements whose normals are still to be found
+    std::copy_n(hits.element, lanes, others);
+    triangleNormals(world, others, points);
+    sphereNormals(world, others, points);
     forEachDistinct(others, noElement, [&](std::size_t lane) HWY_ATTR {
         const Scalar element = others[lane];
-        world.visit({idIn(element)}, [&](const auto& shape) HWY_ATTR {
-            for (std::size_t at = 0; at < lanes; at += half) {
-                const M mine = load(others + at) == set(element);
-                if (!any(mine)) continue;
-                const V3 outward = normals(shape, points.position(at), load(hits.part + at));
-                points.setNormal(at, select(mine, outward, points.normal(at)));
-            }
+        world.visit({idIn(element)}, [&]<class Shape>(const Shape& shape) HWY_ATTR {
+            if constexpr (!std::is_same_v<Shape, Sphere>)
+                for (std::size_t at = 0; at < lanes; at += half) {
+                    const M mine = load(others + at) == set(element);
+                    if (!any(mine)) continue;
+                    const V3 outward = normals(shape, points.position(at), load(hits.part + at));
+                    points.setNormal(at, select(mine, outward, points.normal(at)));
+                }
         });
     });
     alignas(64) Scalar isBack[lanes];
@@ -70,13 +66,9 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
         points.setNormal(at, select(back, negated(outward), outward));
         store(flag(back), isBack + at);
     }
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const Scalar element = hits.element[lane];
-        points.body[lane] = element == noElement ? noElement : laneOf(world.bodyOf({idIn(element)}).index);
-    }
-    forEachDistinct(points.body, noElement, [&](std::size_t lane) HWY_ATTR {
-        blendAppearance(world.bodies[idIn(points.body[lane])], points.body[lane], isBack, points);
-    });
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        if (hits.element[lane] != noElement)
+            setAppearance(world.appearanceOf({idIn(hits.element[lane])}), isBack[lane] != 0, lane, points);
 }
 
 /// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,

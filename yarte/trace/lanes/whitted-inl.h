@@ -122,6 +122,10 @@ private:
         nearestHits(world_, rays, hits);
         for (std::size_t i = count; i < lanes; ++i)
             hits.element[i] = noElement; // repeated lanes must not count
+        if (hits.isEmpty()) {
+            addColours(first, count, hits, colours);
+            return;
+        }
         describeHits(world_, rays, hits, points);
         for (std::size_t at = 0; at < lanes; at += half) {
             const V3 d = rays.direction(at), n = points.normal(at);
