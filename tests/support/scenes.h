@@ -102,6 +102,26 @@ inline Scene mixedScene(int count, unsigned seed) {
     return scene;
 }
 
+/// Spheres, boxes and triangles that leave room between them; a third is transmissive.
+inline Scene smallBodies(int count, unsigned seed) {
+    Random random(seed);
+    Scene scene = emptyScene();
+    for (int i = 0; i < count; ++i) {
+        Material material = matt({random.between(0, 1), random.between(0, 1), random.between(0, 1)});
+        if (i % 5 == 0) material.reflection = 0.5;
+        if (i % 3 == 0) material.transmission = i % 2 ? 0.5 : 0.8, material.index = 1.2;
+        const Vec3 c = random.inCube(10);
+        const double s = random.between(0.05, 0.3);
+        if (i % 4 == 1)
+            add(scene, Box{c, {s, 2 * s, s}}, material).referential = random.referential();
+        else if (i % 4 == 2)
+            add(scene, Polygon{{c, c + s * random.direction(), c + s * random.direction()}}, material);
+        else
+            add(scene, Sphere{c, s}, material);
+    }
+    return scene;
+}
+
 /// Adds planes, far and near, every other one transmissive; between the bodies of the file if it can.
 inline void addPlanes(Scene& scene, int count, unsigned seed) {
     Random random(seed);

@@ -2,6 +2,7 @@
 #include "yarte/trace/lanes/lanes.h"
 
 #include "tests/support/scenes.h"
+#include "yarte/trace/world.h"
 
 #include <gtest/gtest.h>
 
@@ -49,6 +50,27 @@ TEST_P(EveryTarget, GivesTheBitsOfThePlainCode) {
             EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)))
                 << "bodies " << count << " seed " << seed;
         }
+    }
+}
+
+TEST_P(EveryTarget, LightBuffers) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        Scene scene = test::smallBodies(1500, seed);
+        test::addPlanes(scene, seed == 3 ? 2 : 0, seed);
+        scene.camera.position = {1, 2, 25};
+        scene.maxRecursion = 3;
+        scene.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
+        scene.lights.push_back({{0, 0, 0}, {0.5, 0.5, 0.7}, {}}); // among the bodies
+        scene.lights.push_back({{-1e4, 1e4, 1e4}, {0.3, 0.2, 0.1}, {}});
+        scene.lights.push_back({{0, 1e12, 0}, {0.1, 0.2, 0.1}, {}}); // too far for a buffer
+        const WorldPtr world = buildWorld(scene, {400, 400});
+        ASSERT_EQ(world->lightBuffers.size(), 4U);
+        for (const std::size_t light : {0u, 1u, 2u})
+            EXPECT_FALSE(world->lightBuffers[light].empty()) << light;
+        EXPECT_TRUE(world->lightBuffers[3].empty());
+        const Tile tile{170, 160, 240, 220};
+        EXPECT_TRUE(sameBits(render(*world, tile, renderTile), render(*world, tile, renderTileReference)))
+            << "seed " << seed;
     }
 }
 

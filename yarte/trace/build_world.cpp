@@ -5,6 +5,8 @@
 #include "yarte/trace/search.h"
 #include "yarte/trace/world.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -34,6 +36,11 @@ BodyAppearance appearance(const Material& m, const std::optional<BackColours>& b
             transmittance(m),
             transmits(m) ? m.transmission : 0};
 }
+
+/// Below this many elements the tree alone is as fast as light buffers.
+constexpr std::size_t minBufferedElements = 128;
+/// With fewer pixels for each element, too few rays use them for their making to pay.
+constexpr std::size_t pixelsPerBufferedElement = 16;
 
 double largestOf(Vec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -198,6 +205,25 @@ Tree treeOf(const World& world, std::span<const Bounds> boxes) {
     return tree;
 }
 
+/// Of all lights; empty ones where they would not pay.
+std::vector<LightBuffer> lightBuffersOf(const World& world, Resolution resolution) {
+    std::vector<LightBuffer> buffers(world.lights.size());
+    const std::size_t count = world.tree.entries.size();
+    const auto pixels =
+        static_cast<std::size_t>(resolution.width) * static_cast<std::size_t>(resolution.height);
+    if (count < minBufferedElements || count > pixels / pixelsPerBufferedElement) return buffers;
+    std::vector<Bounds> boxes;
+    reserveWhole(boxes, count);
+    for (const TreeEntry& entry : world.tree.entries)
+        world.visit(entry.element, [&]<class Shape>(const Shape& shape) {
+            if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
+        });
+    tbb::parallel_for(std::size_t{0}, buffers.size(), [&](std::size_t l) {
+        buffers[l] = buildLightBuffer(world.tree, boxes, world.lights[l].position);
+    });
+    return buffers;
+}
+
 void listTransmissions(World& world) {
     std::vector<Colour>& list = world.transmissions;
     const auto precedes = [](Colour a, Colour b) {
@@ -282,6 +308,7 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
     world.tree = treeOf(world, boxes);
+    world.lightBuffers = lightBuffersOf(world, resolution);
     return WorldPtr(owned.release());
 }
 

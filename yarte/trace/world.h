@@ -9,6 +9,7 @@
 #include "yarte/trace/disc.h"
 #include "yarte/trace/face.h"
 #include "yarte/trace/frustum.h"
+#include "yarte/trace/light_buffer.h"
 #include "yarte/trace/plane.h"
 #include "yarte/trace/render_tile.h"
 #include "yarte/trace/sphere.h"
@@ -70,6 +71,7 @@ public:
 
     trace::Tree tree;                        ///< over the elements but planes; empty for few of them
     std::vector<trace::ElementId> unbounded; ///< the planes: what the tree cannot hold
+    std::vector<trace::LightBuffer> lightBuffers; ///< of each light, over what the tree holds
     /// The distinct transmissions of the bodies but black, in an order of their own; empty: nothing
     /// transmits.
     std::vector<Colour> transmissions;

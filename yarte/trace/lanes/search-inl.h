@@ -69,7 +69,7 @@ HWY_INLINE bool improve(const Shape& shape, Scalar element, const Lines& lines, 
                         HitPacket& best) {
     bool improved = false;
     for (std::size_t at = 0; at < lanes; at += half) {
-        if (!holds(mask, at)) continue;
+        if (bitsIn(mask, at) == 0) continue;
         const CrossingLanes c = ahead(shape, lines, at, element, load(best.t + at));
         const M some = hn::Or(c.enters, c.leaves);
         if (!any(some)) continue;
@@ -124,100 +124,6 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
         }
         if (improved) slab.setMax(best.t);
         return false;
-    });
-}
-
-/// What is known of the light of each lane while its way is searched; flags and counts as numbers.
-struct alignas(64) ShadowPacket {
-    /// Worlds with more distinct transmissions than this have their dimmed lanes traced one by one.
-    static constexpr std::size_t maxLevels = 4;
-
-    Scalar distance[lanes];
-    Scalar blocked[lanes];
-    /// Surfaces of each of World::transmissions; those beyond count in the last.
-    Scalar crossed[maxLevels][lanes];
-};
-
-/// True if it blocks a lane.
-template <class Shape>
-HWY_INLINE bool castShadow(const Shape& shape, ElementId element, const World& world, const Lines& lines,
-                           std::uint32_t mask, ShadowPacket& shadow) {
-    bool blocks = false;
-    for (std::size_t at = 0; at < lanes; at += half) {
-        if (!holds(mask, at)) continue;
-        const V distance = load(shadow.distance + at);
-        const CrossingLanes c = ahead(shape, lines, at, laneOf(element.index), distance);
-        const M enters = hn::And(c.enters, c.enter < distance),
-                leaves = hn::And(c.leaves, c.leave < distance);
-        const M crossed = hn::Or(enters, leaves);
-        if (!any(crossed)) continue;
-        const BodyAppearance& body = world.appearanceOf(element);
-        if (isBlack(body.transmission)) {
-            store(select(crossed, set(1), load(shadow.blocked + at)), shadow.blocked + at);
-            blocks = true;
-        } else {
-            const std::size_t level =
-                std::min<std::size_t>(body.transmissionLevel, ShadowPacket::maxLevels - 1);
-            Scalar* count = shadow.crossed[level] + at;
-            store(load(count) + flag(enters) + flag(leaves), count);
-        }
-    }
-    return blocks;
-}
-
-HWY_INLINE bool allBlocked(const ShadowPacket& shadow) {
-    M free = none();
-    for (std::size_t at = 0; at < lanes; at += half) free = hn::Or(free, load(shadow.blocked + at) == set(0));
-    return !any(free);
-}
-
-/// Marks the lanes whose way to the light is blocked, and counts what dims it. Lanes that start as blocked
-/// are not looked at. `blocker` is what blocked the light last, or none: it is likely to do so again
-/// [Haines, Greenberg, "The Light Buffer", IEEE CG&A 1986], and is looked at first.
-HWY_NOINLINE void findShadows(const World& world, const RayPacket& rays, ShadowPacket& shadow,
-                              ElementId& blocker) {
-    ShearPacket shear;
-    if (!world.faces.faces.empty()) shear.shearAlong(rays);
-    const Lines lines{rays, shear};
-    const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
-        const bool blocks = world.visit(id, [&](const auto& shape) HWY_ATTR {
-            return castShadow(shape, id, world, lines, mask, shadow);
-        });
-        if (blocks) blocker = id;
-        return blocks;
-    };
-    if (blocker != ElementId{} && test(blocker, allLanes) && allBlocked(shadow)) return;
-    if (world.tree.empty()) {
-        for (std::uint32_t i = 0; i < world.elements.size(); ++i) {
-            test({i}, allLanes);
-            if (allBlocked(shadow)) return;
-        }
-        return;
-    }
-    for (const ElementId plane : world.unbounded) {
-        test(plane, allLanes);
-        if (allBlocked(shadow)) return;
-    }
-    alignas(64) Scalar reach[lanes];
-    for (std::size_t at = 0; at < lanes; at += half)
-        store(select(isSet(load(shadow.blocked + at)), set(-1), load(shadow.distance + at)), reach + at);
-    SlabPacket slab(world.tree, rays, reach);
-    traverse(world.tree, slab, [&](const TreeNode& leaf, std::uint32_t mask) HWY_ATTR {
-        bool blocks = false;
-        for (std::uint32_t i = 0; i < leaf.count; ++i) {
-            const TreeEntry& entry = world.tree.entries[leaf.first + i];
-            if (!isTriangle(entry)) {
-                blocks |= test(entry.element, mask);
-            } else if (castShadow(triangle(world, entry), entry.element, world, lines, mask, shadow)) {
-                blocks = true;
-                blocker = entry.element;
-            }
-        }
-        if (!blocks) return false;
-        for (std::size_t at = 0; at < lanes; at += half)
-            store(select(isSet(load(shadow.blocked + at)), set(-1), load(reach + at)), reach + at);
-        slab.setMax(reach);
-        return allBlocked(shadow);
     });
 }
 

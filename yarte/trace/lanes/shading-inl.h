@@ -8,7 +8,7 @@
 
 #include "yarte/trace/lanes/normals-inl.h"
 #include "yarte/trace/lanes/power-inl.h"
-#include "yarte/trace/lanes/search-inl.h"
+#include "yarte/trace/lanes/shadows-inl.h"
 #include "yarte/trace/phong.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -72,14 +72,14 @@ HWY_NOINLINE void describeHits(const World& world, const RayPacket& rays, const 
 }
 
 /// How much of each lane's light arrives, 0 where it is blocked: transmittance of yarte/trace/search.h,
-/// multiplied in the same order. For `blocker` see findShadows.
+/// multiplied in the same order. For `buffer` and `blocker` see findShadows.
 template <bool isTinted>
-HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, ShadowPacket& shadow,
-                                ElementId& blocker, PassingPacket<isTinted>& arriving) {
+HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, const LightBuffer& buffer,
+                                ShadowPacket& shadow, ElementId& blocker, PassingPacket<isTinted>& arriving) {
     const std::size_t levels = std::min(world.transmissions.size(), ShadowPacket::maxLevels);
     for (std::size_t level = 0; level < levels; ++level)
         for (std::size_t at = 0; at < lanes; at += half) store(set(0), shadow.crossed[level] + at);
-    findShadows(world, rays, shadow, blocker);
+    findShadows(world, rays, buffer, shadow, blocker);
     for (std::size_t at = 0; at < lanes; at += half)
         arriving.set(at, passing<isTinted>(set(1) - load(shadow.blocked + at)));
     for (std::size_t level = 0; level < levels; ++level)
@@ -126,7 +126,7 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
             shadowRays += hn::CountTrue(D(), lit);
         }
         if (!someLit) continue;
-        arrivingLight<isTinted>(world, toLight, shadow, blockers[l], arriving);
+        arrivingLight<isTinted>(world, toLight, world.lightBuffers[l], shadow, blockers[l], arriving);
         for (std::size_t at = 0; at < lanes; at += half) {
             const Passing<isTinted> light01 = arriving.at(at);
             const M arrives = isLit(light01);

@@ -81,17 +81,6 @@ HWY_INLINE VF enterBox(const TreeNode& node, const SlabPacket& rays, MF& hits) {
     return hn::IfThenElse(hits, from, hn::Set(f, Bounds::infinity));
 }
 
-inline constexpr std::uint32_t allLanes = 0xffffffff;
-
-/// True if the half of a packet that starts at lane `at` has a lane in `mask`.
-HWY_INLINE bool holds(std::uint32_t mask, std::size_t at) { return (mask >> at & ((1u << half) - 1)) != 0; }
-
-HWY_INLINE std::uint32_t bitsOf(MF mask) {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(F(), mask, bytes);
-    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
-}
-
 /// Calls `leaf(node, mask)` for the leaves that some lane may meet, near ones first; `mask` has a bit for
 /// each such lane. `leaf` may lower rays.tMax, and ends the search by returning true.
 ///
@@ -136,7 +125,7 @@ HWY_INLINE void traverse(const Tree& tree, SlabPacket& rays, Leaf&& leaf) {
             node = &children[rightFirst ? 1 : 0];
             size += missesLeft || missesRight ? 0 : 1;
         }
-        if (node && leaf(*node, bitsOf(hn::Load(f, enter) <= hn::Load(f, rays.tMax)))) return;
+        if (node && leaf(*node, bitsOf(f, hn::Load(f, enter) <= hn::Load(f, rays.tMax)))) return;
     }
 }
 

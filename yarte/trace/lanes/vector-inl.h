@@ -46,6 +46,27 @@ HWY_INLINE M none() { return set(0) != set(0); }
 HWY_INLINE M isSet(V flag) { return flag != set(0); }
 HWY_INLINE V flag(M mask) { return hn::IfThenElseZero(mask, set(1)); }
 
+/// Lanes of a packet as bits.
+inline constexpr std::uint32_t allLanes = (std::uint64_t{1} << lanes) - 1;
+
+/// The lanes that are on, from bit 0.
+template <class Tag>
+HWY_INLINE std::uint32_t bitsOf(Tag tag, hn::Mask<Tag> mask) {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(tag, mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+/// Those of `bits` in the half of a packet that starts at lane `at`.
+HWY_INLINE std::uint32_t bitsIn(std::uint32_t bits, std::size_t at) {
+    return bits >> at & ((1u << half) - 1);
+}
+HWY_INLINE M lanesIn(std::uint32_t bits, std::size_t at) {
+    const std::uint32_t mine = bitsIn(bits, at);
+    const std::uint8_t bytes[8] = {static_cast<std::uint8_t>(mine), static_cast<std::uint8_t>(mine >> 8)};
+    return hn::LoadMaskBits(D(), bytes);
+}
+
 using LaneNumber = hn::TFromD<hn::RebindToSigned<D>>;
 
 /// Writes the numbers of the lanes that are on to `order`, which has room for one more than there are lanes,
