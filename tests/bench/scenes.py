@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """scenes.py NAME FOLDER: writes FOLDER/NAME.yarte (and its mesh), a workload for ci/bench, from a fixed seed.
 
-spheres  10,000 spheres, 10 lights, shadows everywhere
-glass    mirrors and glass, 10 generations
-mesh     a height field of 1,002,528 triangles
+spheres      10,000 spheres, 10 lights, shadows everywhere
+generations  mirrors and glass, 10 generations
+mesh         a height field of 1,002,528 triangles
 """
 import math
 import pathlib
@@ -25,7 +25,7 @@ def spheres(out, folder):
         out.write("sphere {:.6g} {:.6g} {:.6g} 0.1\n".format(*centre))
 
 
-def glass(out, folder):
+def generations(out, folder):
     rng = random.Random(2)
     out.write("camera_position 0 2 9\nfocus_point 0 0 0\ncamera_apertures 28 28\nbackground_colour 0.3 0.4 0.6\n"
               "max_recurse_level 10\nlight_source 8 12 6 0.8\nlight_source -9 8 3 0.4\n"
@@ -34,7 +34,7 @@ def glass(out, folder):
     for i in range(60):
         centre = [rng.uniform(-5, 5), rng.uniform(-2.4, 3), rng.uniform(-6, 3)]
         if i % 2:
-            out.write("material 0 0 0 0.05 0.05 0.05 0.5 0.5 0.5 100 0.1 0.85 1.5\n")
+            out.write("material 0 0 0 0.05 0.05 0.05 0.5 0.5 0.5 100 0 0.85 1.5\n")
         else:
             out.write("material 0 0 0 0.1 0.1 0.12 0.5 0.5 0.5 100 0.8 0 0\n")
         out.write("sphere {:.6g} {:.6g} {:.6g} 0.45\n".format(*centre))
@@ -61,4 +61,4 @@ def mesh(out, folder):
 if __name__ == "__main__":
     name, target = sys.argv[1], pathlib.Path(sys.argv[2])
     with open(target / f"{name}.yarte", "w") as scene:
-        {"spheres": spheres, "glass": glass, "mesh": mesh}[name](scene, target)
+        {"spheres": spheres, "generations": generations, "mesh": mesh}[name](scene, target)
