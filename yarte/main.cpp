@@ -13,6 +13,7 @@
 #include "yarte/outputs.h"
 #include "yarte/progress.h"
 #include "yarte/stats.h"
+#include "yarte/trace/supersample.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +36,7 @@ namespace {
 
 enum ExitCode { good = 0, refused = 1, wrongUsage = 2, couldNotRun = 3 };
 
-constexpr std::array meshFormats{MeshFormat{".pmf", readPmf},
-                                 MeshFormat{".gltf", convert::gltf::readMesh},
+constexpr std::array meshFormats{MeshFormat{".pmf", readPmf}, MeshFormat{".gltf", convert::gltf::readMesh},
                                  MeshFormat{".glb", convert::gltf::readMesh}};
 
 void print(std::FILE* stream, std::string_view text) {
@@ -155,7 +155,7 @@ std::optional<Rendering> Run::trace(const World& world, const RenderOptions& opt
     auto rendering = render(
         options,
         [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {
-            renderTile(world, tile, pixels, stride, rays);
+            renderTileSupersampled(world, options_.samples, tile, pixels, stride, rays);
         },
         [&](RenderProgress progress) {
             printer.update(progress);
@@ -205,11 +205,12 @@ int Run::operator()() {
         return fail(couldNotRun, *why);
 
     const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
-    const WorldPtr world = build(*scene, resolution);
+    const Resolution rays{resolution.width * options_.samples, resolution.height * options_.samples};
+    const WorldPtr world = build(*scene, rays);
     const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers};
     std::optional<Rendering> rendering = trace(*world, options);
     if (rendering) write(*rendering, scene->gamma);
-    if (rendering && options_.aov) writeAov(*scene, *world, options);
+    if (rendering && options_.aov) writeAov(*scene, *buildWorld(*scene, resolution), options);
     if (const int signal = DeferredInterrupts::pending())
         return fail(interruptExitCode(signal), "interrupted");
 

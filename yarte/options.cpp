@@ -2,12 +2,14 @@
 
 #include "yarte/base/integers.h"
 #include "yarte/scene/check.h"
+#include "yarte/trace/supersample.h"
 #include "yarte/version.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace yarte {
@@ -35,12 +37,14 @@ Tile parseRegion(const std::string& text) {
     return region;
 }
 
-CLI::Validator wholeNumberFrom(int minimum) {
-    return {[minimum](const std::string& text) {
+CLI::Validator wholeNumberFrom(int minimum, std::optional<int> maximum = std::nullopt) {
+    return {[minimum, maximum](const std::string& text) {
                 const auto number = parseIntegers<1>(text, ' ');
-                return number && (*number)[0] >= minimum
-                           ? std::string()
-                           : fmt::format("expected a whole number of at least {}, got '{}'", minimum, text);
+                if (number && (*number)[0] >= minimum && (*number)[0] <= maximum.value_or((*number)[0]))
+                    return std::string();
+                const std::string range = maximum ? fmt::format("from {} to {}", minimum, *maximum)
+                                                  : fmt::format("of at least {}", minimum);
+                return fmt::format("expected a whole number {}, got '{}'", range, text);
             },
             ""};
 }
@@ -92,6 +96,10 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
         ->type_name("N")
         ->capture_default_str()
         ->check(wholeNumberFrom(1));
+    app.add_option("--samples", options.samples, "Rays a pixel, N x N: antialiasing")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(wholeNumberFrom(1, maxSamples));
     app.add_option("--depth", options.encoding.depth, "Bits a sample of .png and .ppm")
         ->type_name("8|16")
         ->capture_default_str()

@@ -22,6 +22,7 @@ struct Options {
     RenderMode mode = RenderMode::processes;
     int workers = 1;
     int tileSide = 32;
+    int samples = 1; ///< rays along a pixel's side
     ImageEncoding encoding; ///< all but the gamma, which is the scene's
     std::vector<std::filesystem::path> allowedFolders;
     ProgressStyle progress = ProgressStyle::automatic;

@@ -99,6 +99,21 @@ TEST_F(Yarte, ARegionHasThePixelsOfTheWholePicture) {
         }
 }
 
+TEST_F(Yarte, SamplesAreTheSameInEveryModeAndSmoothEdges) {
+    const auto picture = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {paper, "--size", "40x30", "-o", "a.pfm", "--aov", "a.exr"});
+        render(options);
+        return bytes("a.pfm");
+    };
+    const std::string one = picture({}), aov = bytes("a.exr");
+    EXPECT_EQ(picture({"--samples", "1"}), one);
+    const std::string nine = picture({"--samples", "3", "--processes", "0"});
+    EXPECT_NE(nine, one);
+    EXPECT_EQ(bytes("a.exr"), aov); // of the ray through the centre
+    EXPECT_EQ(picture({"--samples", "3", "--processes", "3", "--tile", "7"}), nine);
+    EXPECT_EQ(picture({"--samples", "3", "--threads", "2"}), nine);
+}
+
 TEST_F(Yarte, AMeshMayBeGltf) {
     // One triangle (-1, -1, 0), (1, -1, 0), (0, 1, 0), moved up by its node and back down by the scene.
     write("m.gltf", R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],
@@ -192,8 +207,8 @@ TEST_F(Yarte, HelpNamesEveryOptionAndVersionTheVersion) {
     EXPECT_EQ(help.err, "");
     for (const char* option :
          {"SCENE", "--help", "--version", "-o,", "--size WxH", "--region X0,Y0,X1,Y1", "--processes N",
-          "--threads N", "--tile N", "--depth 8|16", "--linear", "--half", "--big-endian", "--allow-path DIR",
-          "--progress auto|bar|json|none", "--stats FILE", "--diagnostics text|json"})
+          "--threads N", "--tile N", "--samples N", "--depth 8|16", "--linear", "--half", "--big-endian",
+          "--allow-path DIR", "--progress auto|bar|json|none", "--stats FILE", "--diagnostics text|json"})
         EXPECT_THAT(help.out, HasSubstr(option));
     const auto version = yarte({"--version"});
     EXPECT_EQ(version.exitCode, 0);
@@ -224,6 +239,8 @@ TEST_F(Yarte, WrongUsageIsExitCode2AndSaysWhat) {
         {{"s.yarte", "--processes", "-1"}, "--processes: expected a whole number of at least 0, got '-1'"},
         {{"s.yarte", "--threads", "0"}, "--threads: expected a whole number of at least 1, got '0'"},
         {{"s.yarte", "--tile", "0"}, "--tile: expected a whole number of at least 1, got '0'"},
+        {{"s.yarte", "--samples", "0"}, "--samples: expected a whole number from 1 to 256, got '0'"},
+        {{"s.yarte", "--samples", "257"}, "--samples: expected a whole number from 1 to 256, got '257'"},
         {{"s.yarte", "--depth", "10"}, "--depth: 10 not in {8,16}"},
         {{"s.yarte", "--progress", "much"}, "--progress: much not in {auto,bar,json,none}"},
         {{"s.yarte", "--diagnostics", "xml"}, "--diagnostics: xml not in {text,json}"},
