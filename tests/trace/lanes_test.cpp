@@ -128,24 +128,4 @@ TEST_P(EveryTarget, LinesAlongAxesAndPlanes) {
 INSTANTIATE_TEST_SUITE_P(Lanes, EveryTarget, testing::ValuesIn(trace::laneTargets()),
                          [](const auto& target) { return target.param; });
 
-TEST(Lanes, TilesDoNotShow) {
-    const Scene scene = [] {
-        Scene s = test::mixedScene(100, 9);
-        s.camera.position = {1, 2, 25};
-        s.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
-        return s;
-    }();
-    const WorldPtr world = buildWorld(scene, {50, 40});
-    const Picture whole = render(*world, {0, 0, 50, 40}, renderTile);
-    for (int y = 0; y < 40; y += 7)
-        for (int x = 0; x < 50; x += 9) {
-            const Tile tile{x, y, std::min(x + 9, 50), std::min(y + 7, 40)};
-            const Picture part = render(*world, tile, renderTile);
-            for (int j = 0; j < tile.height(); ++j)
-                for (int i = 0; i < tile.width(); ++i)
-                    EXPECT_EQ(part.pixels[static_cast<std::size_t>(j * tile.width() + i)],
-                              whole.pixels[static_cast<std::size_t>((y + j) * 50 + x + i)]);
-        }
-}
-
 } // namespace
