@@ -35,6 +35,10 @@ void Framebuffer::put(Tile tile, const Colour* tilePixels) const {
     tiles_.write(offsetOf(tile), tilePixels, sizeOf(tile));
 }
 
+void Framebuffer::get(Tile tile, Colour* tilePixels) const {
+    tiles_.read(offsetOf(tile), tilePixels, sizeOf(tile));
+}
+
 /// A strip of tiles takes up the bytes that its rows do.
 std::size_t Framebuffer::offsetOf(Tile tile) const {
     return (static_cast<std::size_t>(tile.y0 - region_.y0) * width() +
@@ -58,7 +62,7 @@ void Framebuffer::loadStrip(int strip) {
     for (std::size_t i = first; i < first + tiles.columns(); ++i) {
         const Tile tile = tiles[i];
         tile_.resize(sizeOf(tile) / sizeof(Colour));
-        tiles_.read(offsetOf(tile), tile_.data(), sizeOf(tile));
+        get(tile, tile_.data());
         const Colour* from = tile_.data();
         for (std::size_t y = 0; y < static_cast<std::size_t>(tile.height()); ++y, from += tile.width())
             std::copy_n(from, tile.width(),

@@ -23,6 +23,9 @@ public:
     /// tiles. Throws RenderError.
     void put(Tile, const Colour* tilePixels) const;
 
+    /// A tile that was put. Throws RenderError.
+    void get(Tile, Colour* tilePixels) const;
+
     /// What was put; for one reader. Its rows throw RenderError.
     ImageRows rows();
 

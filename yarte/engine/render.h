@@ -4,6 +4,7 @@
 #pragma once
 
 #include "yarte/engine/framebuffer.h"
+#include "yarte/engine/journal.h"
 #include "yarte/engine/render_error.h"
 #include "yarte/trace/render_tile.h"
 
@@ -24,6 +25,8 @@ struct RenderOptions {
     int tileSide = 32;
     RenderMode mode = RenderMode::processes;
     int workers = 1; ///< processes or threads wanted, >= 1; no more are started than there are tiles
+    Journal* journal =
+        nullptr; ///< if not null, tiles that it holds are taken from it, and others added to it
 };
 
 /// What renderTile of the tracer does, with its world bound. Called by several threads or processes at once.
@@ -40,7 +43,8 @@ using ProgressFunction = std::function<bool(RenderProgress)>;
 struct Rendering {
     Framebuffer framebuffer;
     RayCounts rays;
-    int workers = 0; ///< processes or threads used; 0 in serial mode
+    int workers = 0;                ///< processes or threads used; 0 in serial mode
+    std::size_t damagedRecords = 0; ///< of the journal; their tiles were rendered
 };
 
 /// The cores this process may run on, at least 1.

@@ -1,5 +1,6 @@
 #include "yarte/engine/tile_queue.h"
 
+#include <algorithm>
 #include <memory>
 #include <new>
 
@@ -43,12 +44,19 @@ std::optional<std::size_t> TileQueue::putBack(int worker) {
     return std::nullopt;
 }
 
+std::optional<RayCounts> TileQueue::raysOf(std::size_t tile) const {
+    if (slots_[tile].state.load() != finished) return std::nullopt;
+    return slots_[tile].rays;
+}
+
+std::size_t TileQueue::dealtCount() const { return std::min(counters_->next.load(), tiles_.size()); }
+
 std::size_t TileQueue::finishedCount() const { return counters_->finished.load(); }
 
 RayCounts TileQueue::rays() const {
     RayCounts sum;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (slots_[tile].state.load() == finished) sum += slots_[tile].rays;
+        if (const auto rays = raysOf(tile)) sum += *rays;
     return sum;
 }
 

@@ -24,12 +24,18 @@ public:
     /// A waiting tile, from now on held by `worker` (>= 0); nothing if none waits. Called by workers.
     std::optional<std::size_t> claim(int worker);
 
-    /// The holder has rendered the tile, with these rays.
+    /// The tile has been rendered, with these rays: by its holder, or earlier, before any worker starts.
     void finish(std::size_t tile, const RayCounts&);
+
+    /// The rays of a finished tile; nothing if it is not.
+    std::optional<RayCounts> raysOf(std::size_t tile) const;
 
     /// The tile that `worker` held when it died waits again; nothing if it held none. Called when it is
     /// surely dead.
     std::optional<std::size_t> putBack(int worker);
+
+    /// Those before it were dealt at least once.
+    std::size_t dealtCount() const;
 
     /// Tiles finished; while workers are being killed it may fall short by one for each.
     std::size_t finishedCount() const;
