@@ -4,6 +4,7 @@
 #include "yarte/aov_image.h"
 #include "yarte/base/diagnostic.h"
 #include "yarte/base/file.h"
+#include "yarte/checkpoint.h"
 #include "yarte/engine/memory_limit.h"
 #include "yarte/engine/render.h"
 #include "yarte/interrupt.h"
@@ -109,7 +110,10 @@ public:
 private:
     std::optional<Scene> read();
     WorldPtr build(const Scene&, Resolution);
+    std::optional<Journal> openJournal(const Scene&, Resolution, Tile region);
     std::optional<Rendering> trace(const World&, const RenderOptions&);
+    Rendering readJournal(Journal&, Tile region);
+    void tellOfJournal(const Journal&, std::size_t damagedRecords);
     void write(Rendering&, double gamma);
     void writeAov(const Scene&, const World&, const RenderOptions&);
 
@@ -118,6 +122,7 @@ private:
     DiagnosticStyle style_ = DiagnosticStyle::plain;
     Stopwatch watch_;
     Stats stats_;
+    bool isJournalFailureTold_ = false;
 };
 
 int Run::fail(int code, std::string message) const {
@@ -149,6 +154,48 @@ WorldPtr Run::build(const Scene& scene, Resolution resolution) {
     return world;
 }
 
+std::optional<Journal> Run::openJournal(const Scene& scene, Resolution size, Tile region) {
+    if (!options_.checkpoint) return std::nullopt;
+    const std::filesystem::path& file = *options_.checkpoint;
+    const std::vector<JournalItem> items =
+        checkpointItems(options_, sources_[SourceId{0}], scene, size, region);
+    const TileList tiles(region, options_.tileSide);
+    return orCannot("use the checkpoint", [&] {
+        if (options_.partial) return Journal::look(file, items, tiles);
+        std::error_code error;
+        if (options_.resume && std::filesystem::exists(file, error))
+            return Journal::resume(file, items, tiles);
+        return Journal::create(file, items, tiles);
+    });
+}
+
+Rendering Run::readJournal(Journal& journal, Tile region) {
+    Rendering result{Framebuffer(region, options_.tileSide), {}, 0, 0};
+    const TileList tiles(region, options_.tileSide);
+    result.damagedRecords =
+        journal.readTiles([&](std::size_t tile, const RayCounts& rays, const Colour* pixels) {
+            result.framebuffer.put(tiles[tile], pixels);
+            result.rays += rays;
+        });
+    return result;
+}
+
+/// What does not stop the render.
+void Run::tellOfJournal(const Journal& journal, std::size_t damagedRecords) {
+    Diagnostics diagnostics;
+    if (damagedRecords > 0)
+        diagnostics.warning("yarte.checkpoint-damaged",
+                            fmt::format("{}: {} of its tiles were damaged, and are rendered again",
+                                        options_.checkpoint->string(), damagedRecords));
+    if (journal.failure() && !isJournalFailureTold_) {
+        diagnostics.warning("yarte.checkpoint-full",
+                            fmt::format("{}: {}; the render goes on, and what it finishes now is not kept",
+                                        options_.checkpoint->string(), *journal.failure()));
+        isJournalFailureTold_ = true;
+    }
+    print(stderr, format(diagnostics, sources_, style_));
+}
+
 std::optional<Rendering> Run::trace(const World& world, const RenderOptions& options) {
     const Stopwatch watch;
     ProgressPrinter printer(options_.progress);
@@ -159,6 +206,7 @@ std::optional<Rendering> Run::trace(const World& world, const RenderOptions& opt
         },
         [&](RenderProgress progress) {
             printer.update(progress);
+            if (options.journal) tellOfJournal(*options.journal, 0);
             return !DeferredInterrupts::pending();
         });
     stats_.traceSeconds = watch.seconds();
@@ -190,6 +238,7 @@ int Run::operator()() {
         if (options_.aov) requireWritable(*options_.aov);
     });
     if (const auto why = overwritesScene(options_)) return fail(wrongUsage, *why);
+    if (const auto why = checkpointInTheWay(options_)) return fail(wrongUsage, *why);
 
     const std::optional<Scene> scene = read();
     if (!scene) return refused;
@@ -206,9 +255,12 @@ int Run::operator()() {
 
     const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
     const Resolution rays{resolution.width * options_.samples, resolution.height * options_.samples};
-    const WorldPtr world = build(*scene, rays);
-    const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers};
-    std::optional<Rendering> rendering = trace(*world, options);
+    std::optional<Journal> journal = openJournal(*scene, resolution, region);
+    const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers,
+                                journal ? &*journal : nullptr};
+    std::optional<Rendering> rendering =
+        options_.partial ? readJournal(*journal, region) : trace(*build(*scene, rays), options);
+    if (rendering && journal) tellOfJournal(*journal, rendering->damagedRecords);
     if (rendering) write(*rendering, scene->gamma);
     if (rendering && options_.aov) writeAov(*scene, *buildWorld(*scene, resolution), options);
     if (const int signal = DeferredInterrupts::pending())

@@ -60,7 +60,7 @@ std::string checkAovFile(const std::string& file) {
 
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string scene, size, region, progress = "auto", diagnostics = "text", stats, aov;
+    std::string scene, size, region, progress = "auto", diagnostics = "text", stats, aov, checkpoint;
     std::vector<std::string> outputs, allowedFolders;
     std::optional<int> processes, threads;
 };
@@ -121,6 +121,14 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
                    "Write what is known of each pixel besides its colour: body, depth, normal, shadows, ...")
         ->type_name("FILE.exr")
         ->check(CLI::Validator(checkAovFile, ""));
+    const auto checkpoint =
+        app.add_option("--checkpoint", raw.checkpoint,
+                       "Keep finished tiles in this file, so that an interrupted render can go on")
+            ->type_name("FILE");
+    app.add_flag("--resume", options.resume, "Go on from the checkpoint, if there is one")->needs(checkpoint);
+    app.add_flag("--partial", options.partial,
+                 "Render nothing: write what the checkpoint holds, and black where it holds nothing")
+        ->needs(checkpoint);
     app.add_option("--diagnostics", raw.diagnostics, "How errors and warnings are printed")
         ->type_name("text|json")
         ->check(CLI::Validator(CLI::IsMember({"text", "json"})).description(""));
@@ -148,6 +156,7 @@ void complete(Options& options, const Raw& raw) {
     if (raw.progress == "none") options.progress = ProgressStyle::none;
     if (!raw.stats.empty()) options.stats = raw.stats;
     if (!raw.aov.empty()) options.aov = raw.aov;
+    if (!raw.checkpoint.empty()) options.checkpoint = raw.checkpoint;
     options.jsonDiagnostics = raw.diagnostics == "json";
 }
 

@@ -28,6 +28,9 @@ struct Options {
     ProgressStyle progress = ProgressStyle::automatic;
     std::optional<std::filesystem::path> stats;
     std::optional<std::filesystem::path> aov; ///< .exr
+    std::optional<std::filesystem::path> checkpoint;
+    bool resume = false;
+    bool partial = false; ///< write what the checkpoint holds, and render nothing
     bool jsonDiagnostics = false;
 };
 

@@ -38,6 +38,14 @@ std::optional<std::string> overwritesScene(const Options& options) {
     return std::nullopt;
 }
 
+std::optional<std::string> checkpointInTheWay(const Options& options) {
+    std::error_code error;
+    if (!options.checkpoint || options.resume || options.partial || !fs::exists(*options.checkpoint, error))
+        return std::nullopt;
+    return fmt::format("{}: there is a checkpoint already; --resume goes on from it",
+                       options.checkpoint->string());
+}
+
 std::optional<std::string> tooLargeForOutput(const Options& options, int width, int height) {
     for (const fs::path& output : options.outputs)
         if (!canHold(*imageFormat(output), width, height))

@@ -208,7 +208,8 @@ TEST_F(Yarte, HelpNamesEveryOptionAndVersionTheVersion) {
     for (const char* option :
          {"SCENE", "--help", "--version", "-o,", "--size WxH", "--region X0,Y0,X1,Y1", "--processes N",
           "--threads N", "--tile N", "--samples N", "--depth 8|16", "--linear", "--half", "--big-endian",
-          "--allow-path DIR", "--progress auto|bar|json|none", "--stats FILE", "--diagnostics text|json"})
+          "--allow-path DIR", "--progress auto|bar|json|none", "--stats FILE", "--checkpoint FILE", "--resume", "--partial",
+          "--diagnostics text|json"})
         EXPECT_THAT(help.out, HasSubstr(option));
     const auto version = yarte({"--version"});
     EXPECT_EQ(version.exitCode, 0);
