@@ -1,0 +1,219 @@
+// Time per ray of what tracing consists of, by lane width: the intersection kernel of each shape, Phong's
+// power, and searches through a tree; the scalar code, whose bits they all give, beside them.
+//
+// Names are WORK/TARGET/RAYS IN A PACKET; the counter `perRay` is in seconds.
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "tests/bench/kernels_bench.cpp"
+#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSSE3)
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "tests/bench/kernel_cases.h"
+#include "yarte/trace/lanes/power-inl.h"
+#include "yarte/trace/lanes/search-inl.h"
+
+#ifndef KERNELS_BENCH_COUNTER
+#define KERNELS_BENCH_COUNTER
+namespace yarte::bench {
+inline void countRays(benchmark::State& state, std::size_t perIteration) {
+    using benchmark::Counter;
+    state.counters["perRay"] =
+        Counter(static_cast<double>(perIteration), Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+} // namespace yarte::bench
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace yarte::trace::HWY_NAMESPACE {
+namespace {
+
+struct Packet {
+    RayPacket rays;
+    ShearPacket shear;
+};
+
+/// The last packet is filled up with its last ray.
+std::vector<Packet> packetsOf(const std::vector<Ray>& rays) {
+    std::vector<Packet> packets((rays.size() + lanes - 1) / lanes);
+    for (std::size_t i = 0; i < packets.size() * lanes; ++i) {
+        const Ray& ray = rays[std::min(i, rays.size() - 1)];
+        RayPacket& packet = packets[i / lanes].rays;
+        const std::size_t lane = i % lanes;
+        packet.ox[lane] = ray.origin.x, packet.oy[lane] = ray.origin.y, packet.oz[lane] = ray.origin.z;
+        packet.dx[lane] = ray.direction.x, packet.dy[lane] = ray.direction.y,
+        packet.dz[lane] = ray.direction.z;
+        packet.from[lane] = ray.from.element.index,
+        packet.inside[lane] = ray.from.side == Side::inside ? 1 : 0;
+    }
+    for (Packet& packet : packets) packet.shear.shearAlong(packet.rays);
+    return packets;
+}
+
+/// Of a shape that shears its corners the kernel takes the packet's shear as done: it is once for all of
+/// them.
+template <class Shape>
+void crossingsKernel(benchmark::State& state, const Shape& shape) {
+    const std::vector<Packet> packets = packetsOf(bench::cameraRays(32, 1));
+    const V infinity = set(Bounds::infinity);
+    alignas(64) double enter[lanes], leave[lanes];
+    for (auto _ : state)
+        for (const Packet& packet : packets) {
+            for (std::size_t at = 0; at < lanes; at += half) {
+                const CrossingLanes c = crossings(shape, Lines{packet.rays, packet.shear}, at, infinity);
+                store(select(c.enters, c.enter, infinity), enter + at);
+                store(select(c.leaves, c.leave, infinity), leave + at);
+            }
+            benchmark::DoNotOptimize(enter), benchmark::DoNotOptimize(leave);
+        }
+    bench::countRays(state, packets.size() * lanes);
+}
+
+void shearKernel(benchmark::State& state) {
+    const std::vector<Packet> packets = packetsOf(bench::cameraRays(32, 1));
+    ShearPacket shear;
+    for (auto _ : state)
+        for (const Packet& packet : packets) {
+            shear.shearAlong(packet.rays);
+            benchmark::DoNotOptimize(shear);
+        }
+    bench::countRays(state, packets.size() * lanes);
+}
+
+void powerKernel(benchmark::State& state) {
+    const std::vector<double>& values = bench::cosines();
+    alignas(64) double result[half];
+    for (auto _ : state)
+        for (std::size_t i = 0; i < values.size(); i += half) {
+            store(power(hn::LoadU(D(), &values[i]), set(bench::phongExponent)), result);
+            benchmark::DoNotOptimize(result);
+        }
+    bench::countRays(state, values.size());
+}
+
+void nearestSearch(benchmark::State& state) {
+    const World& world = bench::sphereField();
+    const std::vector<Packet> packets = packetsOf(bench::cameraRays(1024, 8));
+    HitPacket hits;
+    for (auto _ : state)
+        for (const Packet& packet : packets) {
+            nearestHits(world, packet.rays, hits);
+            benchmark::DoNotOptimize(hits);
+        }
+    bench::countRays(state, packets.size() * lanes);
+}
+
+void shadowSearch(benchmark::State& state) {
+    const World& world = bench::sphereField();
+    const std::vector<Packet> packets = packetsOf(bench::shadowRays(world, bench::cameraRays(1024, 8)));
+    ShadowPacket shadow;
+    ElementId blocker;
+    for (auto _ : state)
+        for (const Packet& packet : packets) {
+            const V3 light = spread(world.lights[0].position);
+            for (std::size_t at = 0; at < lanes; at += half) {
+                const V3 way = light - packet.rays.origin(at);
+                store(hn::Sqrt(dot(way, way)), shadow.distance + at);
+                store(set(0), shadow.blocked + at);
+            }
+            findShadows(world, packet.rays, shadow, blocker);
+            benchmark::DoNotOptimize(shadow);
+        }
+    bench::countRays(state, packets.size() * lanes);
+}
+
+std::string named(const char* work) {
+    return std::string(work) + '/' + hwy::TargetName(HWY_TARGET) + '/' + std::to_string(lanes);
+}
+
+void registerKernels() {
+    using benchmark::RegisterBenchmark;
+    bench::forEachShape([](const char* name, const auto& shape) {
+        RegisterBenchmark(named(name).c_str(),
+                          [shape](benchmark::State& state) { crossingsKernel(state, shape); });
+    });
+    const FaceTable& table = bench::faces();
+    const TriangleShape triangle{table.vertices.data(), table.corners.data(), table.rounding};
+    RegisterBenchmark(named("triangle").c_str(),
+                      [triangle](benchmark::State& state) { crossingsKernel(state, triangle); });
+    RegisterBenchmark(named("shear of a packet").c_str(), shearKernel);
+    RegisterBenchmark(named("power").c_str(), powerKernel);
+    RegisterBenchmark(named("nearest hit, 10,000 spheres").c_str(), nearestSearch);
+    RegisterBenchmark(named("shadow, 10,000 spheres").c_str(), shadowSearch);
+}
+
+} // namespace
+} // namespace yarte::trace::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace yarte::trace {
+namespace {
+
+HWY_EXPORT(registerKernels);
+
+template <class Shape>
+void crossingsReference(benchmark::State& state, const Shape& shape) {
+    const std::vector<Ray> rays = bench::cameraRays(32, 1);
+    for (auto _ : state)
+        for (const Ray& ray : rays) benchmark::DoNotOptimize(crossings(shape, ray));
+    bench::countRays(state, rays.size());
+}
+
+void powerReference(benchmark::State& state) {
+    for (auto _ : state)
+        for (const double x : bench::cosines()) benchmark::DoNotOptimize(power(x, bench::phongExponent));
+    bench::countRays(state, bench::cosines().size());
+}
+
+void nearestReference(benchmark::State& state) {
+    const World& world = bench::sphereField();
+    const std::vector<Ray> rays = bench::cameraRays(1024, 8);
+    for (auto _ : state)
+        for (const Ray& ray : rays) benchmark::DoNotOptimize(nearestHit(world, ray));
+    bench::countRays(state, rays.size());
+}
+
+void shadowReference(benchmark::State& state) {
+    const World& world = bench::sphereField();
+    const std::vector<Ray> rays = bench::shadowRays(world, bench::cameraRays(1024, 8));
+    for (auto _ : state)
+        for (const Ray& ray : rays)
+            benchmark::DoNotOptimize(
+                transmittance(world, ray, length(world.lights[0].position - ray.origin)));
+    bench::countRays(state, rays.size());
+}
+
+void registerReferences() {
+    using benchmark::RegisterBenchmark;
+    const auto named = [](const char* work) { return std::string(work) + "/scalar/1"; };
+    bench::forEachShape([&](const char* name, const auto& shape) {
+        RegisterBenchmark(named(name).c_str(),
+                          [shape](benchmark::State& state) { crossingsReference(state, shape); });
+    });
+    const FaceShape triangle{bench::faces(), bench::faces().faces[0]};
+    RegisterBenchmark(named("triangle").c_str(),
+                      [triangle](benchmark::State& state) { crossingsReference(state, triangle); });
+    RegisterBenchmark(named("power").c_str(), powerReference);
+    RegisterBenchmark(named("nearest hit, 10,000 spheres").c_str(), nearestReference);
+    RegisterBenchmark(named("shadow, 10,000 spheres").c_str(), shadowReference);
+}
+
+} // namespace
+} // namespace yarte::trace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+    yarte::trace::registerReferences();
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        hwy::SetSupportedTargetsForTest(target);
+        HWY_DYNAMIC_DISPATCH(yarte::trace::registerKernels)();
+        hwy::SetSupportedTargetsForTest(0);
+    }
+    benchmark::RunSpecifiedBenchmarks();
+}
+#endif
