@@ -57,7 +57,7 @@ std::vector<Packet> packetsOf(const std::vector<Ray>& rays) {
 /// them.
 template <class Shape>
 void crossingsKernel(benchmark::State& state, const Shape& shape) {
-    const std::vector<Packet> packets = packetsOf(bench::cameraRays(32, 1));
+    const std::vector<Packet> packets = packetsOf(bench::raysToShapes());
     const V infinity = set(Bounds::infinity);
     alignas(64) double enter[lanes], leave[lanes];
     for (auto _ : state)
@@ -73,7 +73,7 @@ void crossingsKernel(benchmark::State& state, const Shape& shape) {
 }
 
 void shearKernel(benchmark::State& state) {
-    const std::vector<Packet> packets = packetsOf(bench::cameraRays(32, 1));
+    const std::vector<Packet> packets = packetsOf(bench::raysToShapes());
     ShearPacket shear;
     for (auto _ : state)
         for (const Packet& packet : packets) {
@@ -94,39 +94,37 @@ void powerKernel(benchmark::State& state) {
     bench::countRays(state, values.size());
 }
 
-void nearestSearch(benchmark::State& state) {
-    const World& world = bench::sphereField();
-    const std::vector<Packet> packets = packetsOf(bench::cameraRays(1024, 8));
+void nearestSearch(benchmark::State& state, const bench::Field& field) {
+    const std::vector<Packet> packets = packetsOf(field.rays);
     HitPacket hits;
     for (auto _ : state)
         for (const Packet& packet : packets) {
-            nearestHits(world, packet.rays, hits);
+            nearestHits(*field.world, packet.rays, hits);
             benchmark::DoNotOptimize(hits);
         }
     bench::countRays(state, packets.size() * lanes);
 }
 
-void shadowSearch(benchmark::State& state) {
-    const World& world = bench::sphereField();
-    const std::vector<Packet> packets = packetsOf(bench::shadowRays(world, bench::cameraRays(1024, 8)));
+void shadowSearch(benchmark::State& state, const bench::Field& field) {
+    const std::vector<Packet> packets = packetsOf(field.shadow);
+    const V3 light = spread(field.world->lights[0].position);
     ShadowPacket shadow;
     ElementId blocker;
     for (auto _ : state)
         for (const Packet& packet : packets) {
-            const V3 light = spread(world.lights[0].position);
             for (std::size_t at = 0; at < lanes; at += half) {
                 const V3 way = light - packet.rays.origin(at);
                 store(hn::Sqrt(dot(way, way)), shadow.distance + at);
                 store(set(0), shadow.blocked + at);
             }
-            findShadows(world, packet.rays, shadow, blocker);
+            findShadows(*field.world, packet.rays, shadow, blocker);
             benchmark::DoNotOptimize(shadow);
         }
     bench::countRays(state, packets.size() * lanes);
 }
 
-std::string named(const char* work) {
-    return std::string(work) + '/' + hwy::TargetName(HWY_TARGET) + '/' + std::to_string(lanes);
+std::string named(const std::string& work) {
+    return work + '/' + hwy::TargetName(HWY_TARGET) + '/' + std::to_string(lanes);
 }
 
 void registerKernels() {
@@ -141,8 +139,12 @@ void registerKernels() {
                       [triangle](benchmark::State& state) { crossingsKernel(state, triangle); });
     RegisterBenchmark(named("shear of a packet").c_str(), shearKernel);
     RegisterBenchmark(named("power").c_str(), powerKernel);
-    RegisterBenchmark(named("nearest hit, 10,000 spheres").c_str(), nearestSearch);
-    RegisterBenchmark(named("shadow, 10,000 spheres").c_str(), shadowSearch);
+    bench::forEachField([](const std::string& name, auto& field) {
+        RegisterBenchmark(named("nearest hit, " + name).c_str(),
+                          [&field](benchmark::State& state) { nearestSearch(state, field()); });
+        RegisterBenchmark(named("shadow, " + name).c_str(),
+                          [&field](benchmark::State& state) { shadowSearch(state, field()); });
+    });
 }
 
 } // namespace
@@ -157,7 +159,7 @@ HWY_EXPORT(registerKernels);
 
 template <class Shape>
 void crossingsReference(benchmark::State& state, const Shape& shape) {
-    const std::vector<Ray> rays = bench::cameraRays(32, 1);
+    const std::vector<Ray> rays = bench::raysToShapes();
     for (auto _ : state)
         for (const Ray& ray : rays) benchmark::DoNotOptimize(crossings(shape, ray));
     bench::countRays(state, rays.size());
@@ -169,27 +171,23 @@ void powerReference(benchmark::State& state) {
     bench::countRays(state, bench::cosines().size());
 }
 
-void nearestReference(benchmark::State& state) {
-    const World& world = bench::sphereField();
-    const std::vector<Ray> rays = bench::cameraRays(1024, 8);
+void nearestReference(benchmark::State& state, const bench::Field& field) {
     for (auto _ : state)
-        for (const Ray& ray : rays) benchmark::DoNotOptimize(nearestHit(world, ray));
-    bench::countRays(state, rays.size());
+        for (const Ray& ray : field.rays) benchmark::DoNotOptimize(nearestHit(*field.world, ray));
+    bench::countRays(state, field.rays.size());
 }
 
-void shadowReference(benchmark::State& state) {
-    const World& world = bench::sphereField();
-    const std::vector<Ray> rays = bench::shadowRays(world, bench::cameraRays(1024, 8));
+void shadowReference(benchmark::State& state, const bench::Field& field) {
+    const Vec3 light = field.world->lights[0].position;
     for (auto _ : state)
-        for (const Ray& ray : rays)
-            benchmark::DoNotOptimize(
-                transmittance(world, ray, length(world.lights[0].position - ray.origin)));
-    bench::countRays(state, rays.size());
+        for (const Ray& ray : field.shadow)
+            benchmark::DoNotOptimize(transmittance(*field.world, ray, length(light - ray.origin)));
+    bench::countRays(state, field.shadow.size());
 }
 
 void registerReferences() {
     using benchmark::RegisterBenchmark;
-    const auto named = [](const char* work) { return std::string(work) + "/scalar/1"; };
+    const auto named = [](const std::string& work) { return work + "/scalar/1"; };
     bench::forEachShape([&](const char* name, const auto& shape) {
         RegisterBenchmark(named(name).c_str(),
                           [shape](benchmark::State& state) { crossingsReference(state, shape); });
@@ -198,8 +196,12 @@ void registerReferences() {
     RegisterBenchmark(named("triangle").c_str(),
                       [triangle](benchmark::State& state) { crossingsReference(state, triangle); });
     RegisterBenchmark(named("power").c_str(), powerReference);
-    RegisterBenchmark(named("nearest hit, 10,000 spheres").c_str(), nearestReference);
-    RegisterBenchmark(named("shadow, 10,000 spheres").c_str(), shadowReference);
+    bench::forEachField([&](const std::string& name, auto& field) {
+        RegisterBenchmark(named("nearest hit, " + name).c_str(),
+                          [&field](benchmark::State& state) { nearestReference(state, field()); });
+        RegisterBenchmark(named("shadow, " + name).c_str(),
+                          [&field](benchmark::State& state) { shadowReference(state, field()); });
+    });
 }
 
 } // namespace
