@@ -3,14 +3,14 @@ import json
 import statistics
 import subprocess
 
+from height_field import side_of
 from measure import EMBREE_BENCH, machine
 
 
 def table(options):
     if not EMBREE_BENCH.exists():
         raise SystemExit("bench: embree needs a build with -DYARTE_BENCHMARKS=ON")
-    side = round((options.triangles * 1e6 / 2) ** 0.5)
-    found = json.loads(subprocess.run([EMBREE_BENCH, str(options.runs), str(side)], check=True, capture_output=True,
+    found = json.loads(subprocess.run([EMBREE_BENCH, str(options.runs), str(side_of(options.triangles * 1e6))], check=True, capture_output=True,
                                       text=True).stdout)
     names = {"yarte": "YARTE: `renderTile` of a scene without lights, in double",
              "embree": f"Embree: `rtcIntersect{found['packet']}`, coherent, in float",

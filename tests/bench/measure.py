@@ -1,4 +1,5 @@
 """How ci/bench runs the programs that it compares."""
+import contextlib
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ BIN = ROOT / "build/release/bin"
 READ_ALONE = ROOT / "build/release/tests/read_alone"
 KERNELS_BENCH = ROOT / "build/release/tests/kernels_bench"
 EMBREE_BENCH = ROOT / "build/release/tests/embree_bench"
+OUT = ROOT / "build/bench"
 CORES = len(os.sched_getaffinity(0))
 
 
@@ -47,6 +49,24 @@ def run_povray(sdl, size, threads, folder):
     return times["Parse"], times["Trace"], usage.ru_maxrss * 1024 / 1e6
 
 
+@contextlib.contextmanager
+def on_cores(count):
+    """What is run meanwhile has so many cores: yarte builds trees on all there are, whatever its number of workers."""
+    before = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, sorted(before)[:count])
+    try:
+        yield
+    finally:
+        os.sched_setaffinity(0, before)
+
+
+def clocked(run):
+    """The seconds that `run` takes, and what it returns."""
+    begin = time.monotonic()
+    result = run()
+    return time.monotonic() - begin, result
+
+
 def timed(command, folder, good=(0,)):
     """Seconds and the peak of memory, in MB."""
     begin = time.monotonic()
@@ -56,6 +76,12 @@ def timed(command, folder, good=(0,)):
     if os.waitstatus_to_exitcode(status) not in good:
         raise SystemExit(f"bench: {command} failed")
     return time.monotonic() - begin, usage.ru_maxrss * 1024 / 1e6
+
+
+def convert(scene, target, *flags):
+    """By yarte-convert; returns `target`."""
+    subprocess.run([BIN / "yarte-convert", scene, target, *flags], check=True, stderr=subprocess.DEVNULL)
+    return target
 
 
 def read_alone(what, file):

@@ -10,6 +10,8 @@ import pathlib
 import random
 import sys
 
+from height_field import HeightField, scene_of
+
 
 def spheres(out, folder):
     rng = random.Random(1)
@@ -41,21 +43,8 @@ def generations(out, folder):
 
 
 def mesh(out, folder):
-    n = 708
-    with open(folder / "mesh.pmf", "w") as file:
-        file.write(f"{(n + 1) ** 2} {2 * n * n}\n")
-        for j in range(n + 1):
-            for i in range(n + 1):
-                x, z = 2 * i / n - 1, 2 * j / n - 1
-                y = 0.15 * math.sin(9 * x) * math.cos(7 * z) + 0.02 * math.sin(61 * x + 3 * z) * math.sin(53 * z)
-                file.write(f"{x:.6g} {y:.6g} {z:.6g}\n")
-        for j in range(n):
-            for i in range(n):
-                a = j * (n + 1) + i
-                file.write(f"{a} {a + n + 1} {a + 1}\n{a + 1} {a + n + 1} {a + n + 2}\n")
-    out.write("camera_position 0 1.6 2.2\nfocus_point 0 -0.1 0\ncamera_apertures 30 30\nlight_source 3 2 1 1\n"
-              "material 0.05 0.05 0.05 0.8 0.6 0.3 0.3 0.3 0.3 40 0 0 0\n"
-              "mesh mesh.pmf 1 1 0 0 0 1 0 0 0 1 0 0 0\n")
+    HeightField(708).write(folder / "mesh.pmf", smooth=False)
+    out.write(scene_of("mesh.pmf"))
 
 
 if __name__ == "__main__":

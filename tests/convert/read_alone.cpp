@@ -1,8 +1,9 @@
-// read_alone mesh|scene FILE: reads a glTF file as the `mesh` directive does, or a file of any format as a
-// scene, and nothing else. Prints the seconds from opening the file to the finished scene, and the process's
-// peak of memory in MB.
+// read_alone mesh|scene FILE: reads a .pmf or glTF file as the `mesh` directive does, or a file of any format
+// as a scene, and nothing else. Prints the seconds from opening the file to the finished scene, and the
+// process's peak of memory in MB.
 #include "convert/format.h"
 #include "convert/gltf/mesh_reader.h"
+#include "yarte/lang/pmf.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +22,8 @@ std::size_t readAs(std::string_view what, const std::filesystem::path& file) {
     Sources sources;
     Diagnostics diagnostics;
     if (what == "mesh") {
-        const auto mesh = convert::gltf::readMesh(file, {}, sources, diagnostics);
+        const auto read = file.extension() == ".pmf" ? readPmf : convert::gltf::readMesh;
+        const auto mesh = read(file, {}, sources, diagnostics);
         return mesh ? mesh->faceCount() : 0;
     }
     const convert::Format* format = convert::formatOf(file);

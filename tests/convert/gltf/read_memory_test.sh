@@ -3,7 +3,7 @@
 set -euo pipefail
 sources=$1 read=$2 folder=$3
 mkdir -p "$folder"
-"$sources/tests/bench/large_glb.py" 600 "$folder/large.glb"
+"$sources/tests/bench/height_field.py" 600 "$folder/large.glb" smooth
 bytes=$(stat -c %s "$folder/large.glb")
 for what in mesh scene; do
     peak=$("$read" "$what" "$folder/large.glb" | cut -d' ' -f2)
