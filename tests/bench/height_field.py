@@ -8,6 +8,7 @@ import json
 import math
 import pathlib
 import struct
+import subprocess
 import sys
 
 
@@ -79,8 +80,13 @@ class HeightField:
 
 
 def side_of(triangles):
-    """Of the field that comes nearest to that many triangles."""
+    """Of the field that comes nearest to that many triangles; it has 2 side^2."""
     return max(1, round((triangles / 2) ** 0.5))
+
+
+def make(file, side, smooth):
+    """The file of a field, by a process of its own: a program takes its starter's peak of memory for its own."""
+    subprocess.run([sys.executable, __file__, str(side), file, *(["smooth"] if smooth else [])], check=True)
 
 
 def scene_of(mesh):

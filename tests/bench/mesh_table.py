@@ -4,7 +4,8 @@ import statistics
 import subprocess
 import tempfile
 
-from height_field import HeightField, scene_of, side_of
+import height_field
+from height_field import scene_of, side_of
 from measure import BIN, OUT, clocked, convert, machine, on_cores, read_alone, run_povray, run_yarte
 from plot import bars
 
@@ -26,8 +27,8 @@ def disagreement(scenes, size, folder):
 
 
 def table(options):
-    field = HeightField(side_of(options.triangles * 1e6))
-    lines = [f"{len(field.corners) // 3} triangles at {options.size}, seconds (medians of {options.runs} runs in turn), "
+    side = side_of(options.triangles * 1e6)
+    lines = [f"{2 * side * side} triangles at {options.size}, seconds (medians of {options.runs} runs in turn), "
              f"{options.workers} process(es), thread(s) and core(s) of {machine()}. POV-Ray reads a mesh2 with a plain texture. Whole: "
              "from the start of the program to its end, from file to picture.", "",
              "| mesh | YARTE trace (min-max) | POV-Ray trace (min-max) | ratio | whole: .glb | ratio | whole: .pmf | ratio "
@@ -40,7 +41,7 @@ def table(options):
             files = {extension: folder / f"{kind}.{extension}" for extension in ("glb", "pmf")}
             scenes = {}
             for extension, file in files.items():
-                field.write(file, kind == "smooth")
+                height_field.make(file, side, kind == "smooth")
                 scenes[extension] = folder / f"{kind}-{extension}.yarte"
                 scenes[extension].write_text(scene_of(file.name))
             if problem := disagreement(scenes.values(), options.size, folder):
@@ -69,6 +70,6 @@ def table(options):
                 reading.append(f"| {kind} .{extension} | {size:.1f} | {seconds(times)} | {size / median(times):.0f} "
                                f"| {median(mb for _, mb in runs):.0f} |")
     if ratios:
-        title = f"POV-Ray's time over YARTE's, {len(field.corners) // 3} triangles, {options.size}"
+        title = f"POV-Ray's time over YARTE's, {2 * side * side} triangles, {options.size}"
         (OUT / "mesh-table.svg").write_text(bars(title, ratios))
     return lines + reading
