@@ -12,9 +12,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#define YARTE_PRECISION inDouble
 #include "tests/bench/kernel_cases.h"
 #include "yarte/trace/lanes/power-inl.h"
-#include "yarte/trace/lanes/search-inl.h"
+#include "yarte/trace/lanes/shadows-inl.h"
 
 #ifndef KERNELS_BENCH_COUNTER
 #define KERNELS_BENCH_COUNTER
@@ -31,6 +32,8 @@ HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 namespace {
 
+using namespace inDouble;
+
 struct Packet {
     RayPacket rays;
     ShearPacket shear;
@@ -46,7 +49,7 @@ std::vector<Packet> packetsOf(const std::vector<Ray>& rays) {
         packet.ox[lane] = ray.origin.x, packet.oy[lane] = ray.origin.y, packet.oz[lane] = ray.origin.z;
         packet.dx[lane] = ray.direction.x, packet.dy[lane] = ray.direction.y,
         packet.dz[lane] = ray.direction.z;
-        packet.from[lane] = ray.from.element.index,
+        packet.from[lane] = laneOf(ray.from.element.index),
         packet.inside[lane] = ray.from.side == Side::inside ? 1 : 0;
     }
     for (Packet& packet : packets) packet.shear.shearAlong(packet.rays);
@@ -105,7 +108,7 @@ void nearestSearch(benchmark::State& state, const bench::Field& field) {
     bench::countRays(state, packets.size() * lanes);
 }
 
-void shadowSearch(benchmark::State& state, const bench::Field& field) {
+void shadowSearch(benchmark::State& state, const bench::Field& field, const LightBuffer& buffer) {
     const std::vector<Packet> packets = packetsOf(field.shadow);
     const V3 light = spread(field.world->lights[0].position);
     ShadowPacket shadow;
@@ -117,7 +120,7 @@ void shadowSearch(benchmark::State& state, const bench::Field& field) {
                 store(hn::Sqrt(dot(way, way)), shadow.distance + at);
                 store(set(0), shadow.blocked + at);
             }
-            findShadows(*field.world, packet.rays, shadow, blocker);
+            findShadows(*field.world, packet.rays, buffer, shadow, blocker);
             benchmark::DoNotOptimize(shadow);
         }
     bench::countRays(state, packets.size() * lanes);
@@ -143,7 +146,15 @@ void registerKernels() {
         RegisterBenchmark(named("nearest hit, " + name).c_str(),
                           [&field](benchmark::State& state) { nearestSearch(state, field()); });
         RegisterBenchmark(named("shadow, " + name).c_str(),
-                          [&field](benchmark::State& state) { shadowSearch(state, field()); });
+                          [&field](benchmark::State& state) { shadowSearch(state, field(), {}); });
+        RegisterBenchmark(named("shadow by light buffer, " + name).c_str(),
+                          [&field](benchmark::State& state) {
+                              const LightBuffer& buffer = field().world->lightBuffers[0];
+                              if (buffer.empty())
+                                  state.SkipWithError("no light buffer is made of this");
+                              else
+                                  shadowSearch(state, field(), buffer);
+                          });
     });
 }
 

@@ -12,7 +12,7 @@ def measured(runs):
                              "--benchmark_format=json"], check=True, capture_output=True, text=True).stdout
     results = {}
     for entry in sorted(json.loads(output)["benchmarks"], key=lambda entry: entry["family_index"]):
-        if entry["aggregate_name"] == "median":
+        if entry.get("aggregate_name") == "median":
             work, target, lanes = entry["run_name"].split("/")
             results.setdefault(work, {})[target, int(lanes)] = entry["perRay"]
     return results
