@@ -27,7 +27,9 @@ Field boxField(int count, double spread, double size, unsigned seed, Vec3 centre
         elements.push_back(
             {low, low + Vec3{random.between(0, size), random.between(0, size), random.between(0, size)}});
     }
-    Field field{buildTree(elements), {}};
+    Bounds all;
+    for (const Bounds& box : elements) all.add(box);
+    Field field{buildTree(all, elements.size(), [&](ElementId id) { return elements[id.index]; }), {}};
     for (const TreeEntry& entry : field.tree.entries) field.boxes.push_back(elements[entry.element.index]);
     return field;
 }

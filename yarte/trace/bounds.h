@@ -14,11 +14,12 @@ struct Bounds {
     static constexpr double infinity = std::numeric_limits<double>::infinity();
     Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
 
-    void add(Vec3 p) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    bool isEmpty() const { return low.x > high.x; }
+    void add(Vec3 p) { add(Bounds{p, p}); }
+    void add(const Bounds& b) {
+        low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+        high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
     }
-    void add(const Bounds& b) { add(b.low), add(b.high); }
 };
 
 /// Of a circle with the given unit normal: along each axis it reaches radius * sin(angle between axis and

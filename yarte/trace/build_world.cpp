@@ -171,33 +171,37 @@ private:
     World& world_;
 };
 
-/// Of all elements but planes, which have none.
-std::vector<Bounds> boxesOf(const World& world) {
-    std::vector<Bounds> boxes;
-    reserveWhole(boxes, world.elements.size());
-    for (std::uint32_t i = 0; i < world.elements.size(); ++i)
-        world.visit(ElementId{i}, [&]<class Shape>(const Shape& shape) {
-            if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
-        });
-    return boxes;
+/// Empty of planes, which have none.
+Bounds boundsOf(const World& world, ElementId element) {
+    return world.visit(element, []<class Shape>(const Shape& shape) -> Bounds {
+        if constexpr (std::is_same_v<Shape, trace::Plane>)
+            return {};
+        else
+            return bounds(shape);
+    });
+}
+
+Bounds boundsOfAll(const World& world) {
+    Bounds all;
+    for (std::uint32_t i = 0; i < world.elements.size(); ++i) all.add(boundsOf(world, {i}));
+    return all;
 }
 
 /// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
 /// products of a few numbers no larger than the largest here. In tilted walls of jittered triangles all of 4
 /// million starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a
 /// sixteenth.
-double roundingOf(const World& world, std::span<const Bounds> boxes) {
+double roundingOf(const World& world, const Bounds& all) {
     double largest = largestOf(world.camera.position);
-    for (const Bounds& b : boxes) largest = std::max({largest, largestOf(b.low), largestOf(b.high)});
+    if (!all.isEmpty()) largest = std::max({largest, largestOf(all.low), largestOf(all.high)});
     return 0x1p-46 * largest;
 }
 
-Tree treeOf(const World& world, std::span<const Bounds> boxes) {
-    if (boxes.size() < minElementsForTree) return {};
-    Tree tree = buildTree(boxes);
+Tree treeOf(const World& world, const Bounds& all) {
+    if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
+    Tree tree =
+        buildTree(all, world.elements.size(), [&](ElementId element) { return boundsOf(world, element); });
     for (TreeEntry& entry : tree.entries) {
-        for (const ElementId plane : world.unbounded) // from the box's number to the element's, first to last
-            if (plane.index <= entry.element.index) ++entry.element.index;
         const auto [kind, row] = world.elements[entry.element.index];
         if (kind != Kind::face || world.faces.faces[row].cornerCount != 3) continue;
         std::copy_n(&world.faces.corners[world.faces.faces[row].firstCorner], 3, entry.corners);
@@ -214,10 +218,7 @@ std::vector<LightBuffer> lightBuffersOf(const World& world, Resolution resolutio
     if (count < minBufferedElements || count > pixels / pixelsPerBufferedElement) return buffers;
     std::vector<Bounds> boxes;
     reserveWhole(boxes, count);
-    for (const TreeEntry& entry : world.tree.entries)
-        world.visit(entry.element, [&]<class Shape>(const Shape& shape) {
-            if constexpr (!std::is_same_v<Shape, trace::Plane>) boxes.push_back(bounds(shape));
-        });
+    for (const TreeEntry& entry : world.tree.entries) boxes.push_back(boundsOf(world, entry.element));
     tbb::parallel_for(std::size_t{0}, buffers.size(), [&](std::size_t l) {
         buffers[l] = buildLightBuffer(world.tree, boxes, world.lights[l].position);
     });
@@ -303,11 +304,11 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     Builder builder(scene, world);
     builder.reserveFaces();
     for (const Body& body : scene.bodies) builder.addBody(body);
-    const std::vector<Bounds> boxes = boxesOf(world);
-    world.faces.rounding = roundingOf(world, boxes);
+    const Bounds all = boundsOfAll(world);
+    world.faces.rounding = roundingOf(world, all);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
-    world.tree = treeOf(world, boxes);
+    world.tree = treeOf(world, all);
     world.lightBuffers = lightBuffersOf(world, resolution);
     return WorldPtr(owned.release());
 }

@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <span>
+#include <functional>
 #include <vector>
 
 namespace yarte::trace {
@@ -45,7 +46,8 @@ inline constexpr std::size_t minElementsForTree = 12;
 inline constexpr double boxMargin = 2e-6;
 
 /// By surface area, with Embree's builder [Wald, Woop, Benthin, Johnson, Ernst, "Embree", SIGGRAPH 2014].
-Tree buildTree(std::span<const Bounds> elements);
+/// Over the elements of numbers below `count`, but for those whose bounds are empty; `all` holds all of them.
+Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf);
 
 /// The slab test's constants for one ray. A direction component of 0 becomes a slope so steep that the line
 /// stays where it is, but products with 0 remain numbers.
