@@ -201,8 +201,14 @@ std::optional<Rendering> Run::trace(const World& world, const RenderOptions& opt
     ProgressPrinter printer(options_.progress);
     auto rendering = render(
         options,
-        [&](Tile tile, Colour* pixels, std::size_t stride, RayCounts& rays) {
-            renderTileSupersampled(world, options_.samples, tile, pixels, stride, rays);
+        [&](Tile tile, Colour* pixels, std::size_t stride, TileCosts& costs) {
+            supersample(options_.samples, tile, pixels, stride,
+                        [&](Tile part, Colour* to, std::size_t toStride) {
+                            if (options_.stats)
+                                renderTileTimed(world, part, to, toStride, costs, costs.times);
+                            else
+                                renderTile(world, part, to, toStride, costs);
+                        });
         },
         [&](RenderProgress progress) {
             printer.update(progress);
@@ -273,6 +279,7 @@ int Run::operator()() {
         stats_.mode = options_.mode;
         stats_.workers = rendering->workers;
         stats_.rays = rendering->rays;
+        stats_.times = rendering->times;
         stats_.peakRssBytes = peakRssBytes();
         stats_.wallSeconds = watch_.seconds();
         orCannot("write", [&] { writeFile(*options_.stats, toJson(stats_)); });

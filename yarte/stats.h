@@ -16,6 +16,7 @@ struct Stats {
     double parseSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0, wallSeconds = 0;
     std::uint64_t peakRssBytes = 0;
     RayCounts rays;
+    TraceTimes times; ///< of tracing, measured
 };
 
 /// The most memory that this process, or any one of its workers, has had resident.

@@ -31,19 +31,19 @@ TEST(TileQueue, WhatADeadWorkerHeldWaitsAgain) {
     EXPECT_EQ(queue.claim(3), std::nullopt);
 }
 
-TEST(TileQueue, FinishedTilesAreNotPutBackAndTheirRaysCountOnce) {
+TEST(TileQueue, FinishedTilesAreNotPutBackAndTheirCostsCountOnce) {
     TileQueue queue(TileList({0, 0, 2, 1}, 1));
-    const RayCounts rays{1, 20, 300, 4000};
+    const TileCosts costs{{1, 20, 300, 4000}, {0.5, 60, 10, 20, 30}};
     const auto first = queue.claim(7);
-    queue.finish(*first, rays);
+    queue.finish(*first, costs);
     EXPECT_EQ(queue.putBack(7), std::nullopt);
     EXPECT_EQ(queue.finishedCount(), 1u);
-    EXPECT_EQ(queue.rays(), rays);
+    EXPECT_EQ(queue.costs(), costs);
     const auto second = queue.claim(7);
     EXPECT_EQ(queue.putBack(7), second);
-    EXPECT_EQ(queue.rays(), rays);
-    queue.finish(*queue.claim(8), rays);
-    EXPECT_EQ(queue.rays(), (RayCounts{2, 40, 600, 8000}));
+    EXPECT_EQ(queue.costs(), costs);
+    queue.finish(*queue.claim(8), costs);
+    EXPECT_EQ(queue.costs(), (TileCosts{{2, 40, 600, 8000}, {1, 120, 20, 40, 60}}));
 }
 
 TEST(TileQueue, NoTileIsDealtTwiceToThreadsThatTakeAtTheSameTime) {

@@ -7,6 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -409,6 +412,7 @@ TEST_F(Yarte, StatsHoldEveryKeyAndTheSameRaysInEveryMode) {
                                mode.name + "\",\n  \"workers\": " + mode.workers + ",\n  \"parse_s\": "));
         for (const char* key : {"build_s", "trace_s", "write_s", "wall_s", "peak_rss_bytes"})
             EXPECT_THAT(json, testing::ContainsRegex("  \"" + std::string(key) + "\": [0-9.]+,\n"));
+        EXPECT_THAT(json, HasSubstr("  \"profile\": {"));
         rays.push_back(json.substr(json.find("  \"rays\"")));
     }
     EXPECT_THAT(rays[0],
@@ -416,6 +420,42 @@ TEST_F(Yarte, StatsHoldEveryKeyAndTheSameRaysInEveryMode) {
                              "\"transmitted\": [0-9]+\\}\n\\}\n"));
     EXPECT_EQ(rays[1], rays[0]);
     EXPECT_EQ(rays[2], rays[0]);
+}
+
+TEST_F(Yarte, TheProfileSharesOutTheTimeAndChangesNoPixel) {
+    render({paper, "--size", "300x200", "-o", "plain.pfm"});
+    for (const char* mode : {"--processes=0", "--processes=2", "--threads=2"}) {
+        render({paper, "--size", "300x200", "-o", "a.pfm", "--stats", "s.json", mode});
+        EXPECT_EQ(bytes("a.pfm"), bytes("plain.pfm")) << mode;
+        const nlohmann::json stats = nlohmann::json::parse(bytes("s.json")), profile = stats.at("profile");
+        EXPECT_EQ(profile.at("build_s"), stats.at("build_s"));
+        EXPECT_EQ(profile.at("write_s"), stats.at("write_s"));
+        double sum = 0;
+        for (const char* phase : {"camera_s", "shadow_s", "secondary_s", "shade_s"}) {
+            EXPECT_GT(profile.at(phase), 0) << mode << ' ' << phase;
+            sum += profile.at(phase).get<double>();
+        }
+        // The rest is the engine's: starting workers, dealing tiles, gathering pixels, waiting for the last.
+        const double rounding = 5e-6;
+        EXPECT_LE(sum,
+                  stats.at("trace_s").get<double>() * std::max(1, stats.at("workers").get<int>()) + rounding);
+        for (const char* kind : {"camera", "shadow", "secondary"})
+            EXPECT_GT(profile.at("per_million_rays_s").at(kind), 0) << mode << ' ' << kind;
+    }
+}
+
+TEST_F(Yarte, WhatTheProfileDoesNotKnowIsNull) {
+    write("s.yarte", sphereScene);
+    const auto profile = [&](const char* size) {
+        render({"s.yarte", "--size", size, "--stats", "s.json", "--processes", "1"});
+        return nlohmann::json::parse(bytes("s.json")).at("profile");
+    };
+    const nlohmann::json known = profile("64x64"), unknown = profile("16x16");
+    EXPECT_TRUE(known.at("shadow_s").is_number());
+    EXPECT_EQ(known.at("secondary_s"), 0);
+    EXPECT_TRUE(known.at("per_million_rays_s").at("secondary").is_null()) << "there is no such ray";
+    EXPECT_TRUE(unknown.at("camera_s").is_null()) << "nothing was sampled";
+    EXPECT_TRUE(unknown.at("build_s").is_number());
 }
 
 } // namespace

@@ -128,4 +128,26 @@ TEST_P(EveryTarget, LinesAlongAxesAndPlanes) {
 INSTANTIATE_TEST_SUITE_P(Lanes, EveryTarget, testing::ValuesIn(trace::laneTargets()),
                          [](const auto& target) { return target.param; });
 
+TEST(Lanes, MeasuringChangesNothing) {
+    Scene scene = test::mixedScene(100, 9);
+    scene.camera.position = {1, 2, 25};
+    scene.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
+    const WorldPtr world = buildWorld(scene, {256, 192});
+    const Tile tile{0, 0, 256, 192};
+    TraceTimes times;
+    const Picture plain = render(*world, tile, renderTile), measured = [&] {
+        Picture picture;
+        picture.pixels.resize(plain.pixels.size());
+        renderTileTimed(*world, tile, picture.pixels.data(), 256, picture.counts, times);
+        return picture;
+    }();
+    EXPECT_TRUE(sameBits(measured, plain));
+    EXPECT_GT(times.seconds, 0);
+    EXPECT_GT(times.camera, 0U);
+    EXPECT_GT(times.shadow, 0U);
+    EXPECT_GT(times.secondary, 0U);
+    EXPECT_GT(times.sampled, times.camera + times.shadow + times.secondary);
+    EXPECT_DOUBLE_EQ(times.secondsOf(times.sampled), times.seconds);
+}
+
 } // namespace

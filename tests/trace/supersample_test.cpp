@@ -25,8 +25,9 @@ TEST(Supersample, APixelIsTheMeanOfItsSamples) {
         renderTile(*fine, {0, 0, width * samples, height * samples}, large.data(),
                    static_cast<std::size_t>(width * samples), largeCounts);
         std::vector<Colour> pixels(static_cast<std::size_t>(width * height));
-        renderTileSupersampled(*fine, samples, {0, 0, width, height}, pixels.data(),
-                               static_cast<std::size_t>(width), counts);
+        supersample(
+            samples, {0, 0, width, height}, pixels.data(), static_cast<std::size_t>(width),
+            [&](Tile tile, Colour* to, std::size_t stride) { renderTile(*fine, tile, to, stride, counts); });
         EXPECT_EQ(counts, largeCounts);
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
@@ -44,12 +45,15 @@ TEST(Supersample, APixelIsTheMeanOfItsSamples) {
 TEST(Supersample, TilesDoNotShow) {
     const WorldPtr fine = buildWorld(scene(), {40 * 3, 30 * 3});
     std::vector<Colour> whole(40 * 30), part(40 * 30);
-    RayCounts counts;
-    renderTileSupersampled(*fine, 3, {0, 0, 40, 30}, whole.data(), 40, counts);
+    const auto renderFine = [&](Tile tile, Colour* to, std::size_t stride) {
+        RayCounts counts;
+        renderTile(*fine, tile, to, stride, counts);
+    };
+    supersample(3, {0, 0, 40, 30}, whole.data(), 40, renderFine);
     for (int y = 0; y < 30; y += 7)
         for (int x = 0; x < 40; x += 9)
-            renderTileSupersampled(*fine, 3, {x, y, std::min(x + 9, 40), std::min(y + 7, 30)},
-                                   &part[static_cast<std::size_t>(y * 40 + x)], 40, counts);
+            supersample(3, {x, y, std::min(x + 9, 40), std::min(y + 7, 30)},
+                        &part[static_cast<std::size_t>(y * 40 + x)], 40, renderFine);
     EXPECT_EQ(part, whole);
 }
 

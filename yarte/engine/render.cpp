@@ -21,12 +21,12 @@ bool RenderJob::renderNext(int worker, std::vector<Colour>& pixels) const {
     const std::optional<std::size_t> index = queue.claim(worker);
     if (!index) return false;
     const Tile tile = queue.tiles()[*index];
-    RayCounts rays;
+    TileCosts costs;
     const auto width = static_cast<std::size_t>(tile.width());
     pixels.resize(width * static_cast<std::size_t>(tile.height()));
-    renderTile(tile, pixels.data(), width, rays);
+    renderTile(tile, pixels.data(), width, costs);
     framebuffer.put(tile, pixels.data());
-    queue.finish(*index, rays);
+    queue.finish(*index, costs);
     return true;
 }
 
@@ -42,7 +42,7 @@ public:
         damaged_ = journal_->readTiles([this](std::size_t tile, const RayCounts& rays, const Colour* pixels) {
             if (isKept_[tile]) return;
             framebuffer_.put(queue_.tiles()[tile], pixels);
-            queue_.finish(tile, rays);
+            queue_.finish(tile, {rays, {}});
             isKept_[tile] = true;
         });
     }
@@ -53,13 +53,13 @@ public:
         while (begin_ < end && isKept_[begin_]) ++begin_;
         for (std::size_t tile = begin_; tile < end; ++tile) {
             if (isKept_[tile]) continue;
-            const auto rays = queue_.raysOf(tile);
-            if (!rays) continue;
+            const auto costs = queue_.costsOf(tile);
+            if (!costs) continue;
             const Tile place = queue_.tiles()[tile];
             pixels_.resize(static_cast<std::size_t>(place.width()) *
                            static_cast<std::size_t>(place.height()));
             framebuffer_.get(place, pixels_.data());
-            journal_->add(tile, *rays, pixels_.data());
+            journal_->add(tile, *costs, pixels_.data());
             isKept_[tile] = true;
         }
     }
@@ -111,7 +111,8 @@ std::optional<Rendering> render(const RenderOptions& options, const TileFunction
     }
     journal.close();
     if (!finished) return std::nullopt;
-    return Rendering{std::move(framebuffer), queue.rays(), workers, journal.damaged()};
+    const TileCosts costs = queue.costs();
+    return Rendering{std::move(framebuffer), costs, costs.times, workers, journal.damaged()};
 }
 
 } // namespace yarte

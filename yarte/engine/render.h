@@ -6,6 +6,7 @@
 #include "yarte/engine/framebuffer.h"
 #include "yarte/engine/journal.h"
 #include "yarte/engine/render_error.h"
+#include "yarte/engine/tile_costs.h"
 #include "yarte/trace/render_tile.h"
 
 #include <cstddef>
@@ -29,8 +30,9 @@ struct RenderOptions {
         nullptr; ///< if not null, tiles that it holds are taken from it, and others added to it
 };
 
-/// What renderTile of the tracer does, with its world bound. Called by several threads or processes at once.
-using TileFunction = std::function<void(Tile, Colour* pixels, std::size_t stride, RayCounts&)>;
+/// What renderTile of the tracer does, with its world bound; it may take RayCounts instead. Called by several
+/// threads or processes at once.
+using TileFunction = std::function<void(Tile, Colour* pixels, std::size_t stride, TileCosts&)>;
 
 struct RenderProgress {
     std::size_t done = 0, total = 0; ///< tiles
@@ -43,6 +45,7 @@ using ProgressFunction = std::function<bool(RenderProgress)>;
 struct Rendering {
     Framebuffer framebuffer;
     RayCounts rays;
+    TraceTimes times;               ///< zeros unless the tile function measures
     int workers = 0;                ///< processes or threads used; 0 in serial mode
     std::size_t damagedRecords = 0; ///< of the journal; their tiles were rendered
 };

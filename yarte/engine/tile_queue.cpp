@@ -28,9 +28,9 @@ std::optional<std::size_t> TileQueue::claim(int worker) {
     return std::nullopt;
 }
 
-void TileQueue::finish(std::size_t tile, const RayCounts& rays) {
-    slots_[tile].rays = rays;
-    slots_[tile].state.store(finished); // publishes the rays and the tile's pixels
+void TileQueue::finish(std::size_t tile, const TileCosts& costs) {
+    slots_[tile].costs = costs;
+    slots_[tile].state.store(finished); // publishes the costs and the tile's pixels
     ++counters_->finished;
 }
 
@@ -44,19 +44,19 @@ std::optional<std::size_t> TileQueue::putBack(int worker) {
     return std::nullopt;
 }
 
-std::optional<RayCounts> TileQueue::raysOf(std::size_t tile) const {
+std::optional<TileCosts> TileQueue::costsOf(std::size_t tile) const {
     if (slots_[tile].state.load() != finished) return std::nullopt;
-    return slots_[tile].rays;
+    return slots_[tile].costs;
 }
 
 std::size_t TileQueue::dealtCount() const { return std::min(counters_->next.load(), tiles_.size()); }
 
 std::size_t TileQueue::finishedCount() const { return counters_->finished.load(); }
 
-RayCounts TileQueue::rays() const {
-    RayCounts sum;
+TileCosts TileQueue::costs() const {
+    TileCosts sum;
     for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-        if (const auto rays = raysOf(tile)) sum += *rays;
+        if (const auto costs = costsOf(tile)) sum += *costs;
     return sum;
 }
 

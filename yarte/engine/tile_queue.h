@@ -3,6 +3,7 @@
 #pragma once
 
 #include "yarte/engine/shared_memory.h"
+#include "yarte/engine/tile_costs.h"
 #include "yarte/engine/tile_list.h"
 
 #include <atomic>
@@ -24,11 +25,11 @@ public:
     /// A waiting tile, from now on held by `worker` (>= 0); nothing if none waits. Called by workers.
     std::optional<std::size_t> claim(int worker);
 
-    /// The tile has been rendered, with these rays: by its holder, or earlier, before any worker starts.
-    void finish(std::size_t tile, const RayCounts&);
+    /// The tile has been rendered, at these costs: by its holder, or earlier, before any worker starts.
+    void finish(std::size_t tile, const TileCosts&);
 
-    /// The rays of a finished tile; nothing if it is not.
-    std::optional<RayCounts> raysOf(std::size_t tile) const;
+    /// Of a finished tile; nothing if it is not.
+    std::optional<TileCosts> costsOf(std::size_t tile) const;
 
     /// The tile that `worker` held when it died waits again; nothing if it held none. Called when it is
     /// surely dead.
@@ -40,13 +41,13 @@ public:
     /// Tiles finished; while workers are being killed it may fall short by one for each.
     std::size_t finishedCount() const;
 
-    /// The rays of all finished tiles: each tile counts once, however often it was begun.
-    RayCounts rays() const;
+    /// The costs of all finished tiles: each tile counts once, however often it was begun.
+    TileCosts costs() const;
 
 private:
     struct Slot {
         std::atomic<std::uint32_t> state; ///< waiting, finished, or the holder's number + 1
-        RayCounts rays;                   ///< valid once finished
+        TileCosts costs;                  ///< valid once finished
     };
     struct Counters {
         std::atomic<std::size_t> next;     ///< tiles before it were dealt at least once

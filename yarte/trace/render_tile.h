@@ -40,11 +40,34 @@ struct RayCounts {
     friend bool operator==(const RayCounts&, const RayCounts&) = default;
 };
 
+/// Where the time of tracing goes, from a sample of the blocks of pixels that are traced together.
+struct TraceTimes {
+    double seconds = 0; ///< of all tiles, measured; of a core, whoever else was given it in between
+    // In the blocks of the sample, in ticks of some clock: all of them, and those of searching for what
+    // camera rays meet, what shadow rays meet, what all other rays meet. What is left is shading.
+    std::uint64_t sampled = 0, camera = 0, shadow = 0, secondary = 0;
+
+    /// The seconds that belong to so many ticks; NaN if nothing was sampled.
+    double secondsOf(std::uint64_t ticks) const {
+        return seconds * static_cast<double>(ticks) / static_cast<double>(sampled);
+    }
+    TraceTimes& operator+=(const TraceTimes& t) {
+        seconds += t.seconds, sampled += t.sampled;
+        camera += t.camera, shadow += t.shadow, secondary += t.secondary;
+        return *this;
+    }
+    friend bool operator==(const TraceTimes&, const TraceTimes&) = default;
+};
+
 /// Writes the tile's linear colours to `pixels`, whose rows are `stride` pixels apart, and adds to `counts`.
 /// A pixel depends on the world and its own place alone: never on the tile, the process or the thread.
 void renderTile(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
 
-/// The same, ray by ray in plain code: the reference that renderTile equals to the last bit.
+/// The same, and measures: adds to `times`.
+void renderTileTimed(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts,
+                     TraceTimes& times);
+
+/// The same as renderTile, ray by ray in plain code: the reference that renderTile equals to the last bit.
 void renderTileReference(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
 
 } // namespace yarte

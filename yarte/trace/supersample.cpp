@@ -17,9 +17,9 @@ Colour mean(const Colour* first, int samples, std::size_t stride) {
 
 } // namespace
 
-void renderTileSupersampled(const World& fine, int samples, Tile tile, Colour* pixels, std::size_t stride,
-                            RayCounts& counts) {
-    if (samples == 1) return renderTile(fine, tile, pixels, stride, counts);
+void supersample(int samples, Tile tile, Colour* pixels, std::size_t stride,
+                 const std::function<void(Tile, Colour*, std::size_t)>& renderFine) {
+    if (samples == 1) return renderFine(tile, pixels, stride);
     // A few pixels at a time, so that their samples stay in the cache.
     const int side = std::max(1, 64 / samples);
     std::vector<Colour> block;
@@ -29,7 +29,7 @@ void renderTileSupersampled(const World& fine, int samples, Tile tile, Colour* p
             const Tile part{x0 * samples, y0 * samples, x1 * samples, y1 * samples};
             const auto width = static_cast<std::size_t>(part.width());
             block.resize(width * static_cast<std::size_t>(part.height()));
-            renderTile(fine, part, block.data(), width, counts);
+            renderFine(part, block.data(), width);
             for (int y = y0; y < y1; ++y)
                 for (int x = x0; x < x1; ++x)
                     pixels[static_cast<std::size_t>(y - tile.y0) * stride +

@@ -3,14 +3,16 @@
 
 #include "yarte/trace/render_tile.h"
 
+#include <functional>
+
 namespace yarte {
 
 /// The most rays along a pixel's side.
 inline constexpr int maxSamples = 256;
 
-/// As renderTile, for pixels that are the means of samples x samples of the world's: of a world that is built
-/// for an image so many times as wide and high. That is a box filter over rays in a fixed square pattern.
-void renderTileSupersampled(const World& fine, int samples, Tile, Colour* pixels, std::size_t stride,
-                            RayCounts&);
+/// Writes a tile's pixels as the means of samples x samples pixels of an image so many times as wide and
+/// high, whose tiles `renderFine` writes: a box filter over rays in a fixed square pattern.
+void supersample(int samples, Tile, Colour* pixels, std::size_t stride,
+                 const std::function<void(Tile, Colour* pixels, std::size_t stride)>& renderFine);
 
 } // namespace yarte

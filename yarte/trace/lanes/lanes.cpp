@@ -16,9 +16,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE {
 
-void renderTileInDouble(const World& world, Tile tile, Colour* pixels, std::size_t stride,
-                        RayCounts& counts) {
-    inDouble::renderTile(world, tile, pixels, stride, counts);
+void renderTileInDouble(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
+                        TraceTimes* times) {
+    inDouble::renderTile(world, tile, pixels, stride, counts, times);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE
@@ -75,8 +75,9 @@ const Target* chosen = best();
 
 } // namespace
 
-void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
-    chosen->render(world, tile, pixels, stride, counts);
+void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
+                       TraceTimes* times) {
+    chosen->render(world, tile, pixels, stride, counts, times);
 }
 
 std::vector<std::string> laneTargets() {

@@ -9,8 +9,8 @@
 
 namespace yarte::trace {
 
-/// As renderTile, on the best instruction set of this machine.
-void renderTileInLanes(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts&);
+/// As renderTile, on the best instruction set of this machine; adds to the ticks of `times`, if given.
+void renderTileInLanes(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts&, TraceTimes* times);
 
 /// The instruction sets that this machine can run, best first ("AVX3", "AVX2", "SSE4", ...).
 std::vector<std::string> laneTargets();

@@ -100,6 +100,7 @@ struct Workspace {
     std::vector<ElementId> blockers; ///< of each light; see findShadows
     std::vector<Colour> sums;        ///< of a block's pixels
     RayQueueOf<Scalar> current, reflected, transmitted;
+    std::size_t blockCount = 0; ///< of those rendered up to now
 };
 
 } // namespace yarte::trace

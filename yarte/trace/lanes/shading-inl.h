@@ -6,6 +6,7 @@
 #define YARTE_TRACE_LANES_SHADING_INL_H
 #endif
 
+#include "yarte/trace/lanes/block_sample.h"
 #include "yarte/trace/lanes/normals-inl.h"
 #include "yarte/trace/lanes/power-inl.h"
 #include "yarte/trace/lanes/shadows-inl.h"
@@ -99,7 +100,7 @@ HWY_NOINLINE void arrivingLight(const World& world, const RayPacket& rays, const
 template <bool isTinted>
 HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const PointPacket& points,
                                const RayPacket& mirrors, std::span<ElementId> blockers, ColourPacket& sums,
-                               std::uint64_t& shadowRays) {
+                               std::uint64_t& shadowRays, std::uint64_t* shadowTicks) {
     const V zero = set(0);
     for (std::size_t at = 0; at < lanes; at += half) sums.set(at, points.ambient.at(at));
     RayPacket toLight;
@@ -126,7 +127,10 @@ HWY_NOINLINE void localColours(const World& world, const HitPacket& hits, const 
             shadowRays += hn::CountTrue(D(), lit);
         }
         if (!someLit) continue;
-        arrivingLight<isTinted>(world, toLight, world.lightBuffers[l], shadow, blockers[l], arriving);
+        {
+            const PhaseTimer timer(shadowTicks);
+            arrivingLight<isTinted>(world, toLight, world.lightBuffers[l], shadow, blockers[l], arriving);
+        }
         for (std::size_t at = 0; at < lanes; at += half) {
             const Passing<isTinted> light01 = arriving.at(at);
             const M arrives = isLit(light01);

@@ -18,9 +18,10 @@ using RayQueue = RayQueueOf<Scalar>;
 template <bool isTinted>
 class WhittedLanes {
 public:
-    WhittedLanes(const World& world, Workspace<Scalar>& memory, RayCounts& counts)
-        : world_(world), counts_(counts), media_(world), blockers_(memory.blockers), sums_(memory.sums),
-          current_(memory.current), reflected_(memory.reflected), transmitted_(memory.transmitted) {
+    WhittedLanes(const World& world, Workspace<Scalar>& memory, RayCounts& counts, TraceTimes* times)
+        : world_(world), counts_(counts), times_(times), media_(world), blockCount_(memory.blockCount),
+          blockers_(memory.blockers), sums_(memory.sums), current_(memory.current),
+          reflected_(memory.reflected), transmitted_(memory.transmitted) {
         for (RayQueue* queue : {&current_, &reflected_, &transmitted_}) queue->start(isTinted);
         blockers_.assign(world.lights.size(), {});
     }
@@ -38,6 +39,11 @@ public:
 
 private:
     void renderBlock(Tile block, Colour* pixels, std::size_t stride) {
+        // A prime number, so that the sample is in step with no row of tiles. Not the first, which meets cold
+        // memory.
+        BlockSample sample(blockCount_++ % 17 == 1 ? times_ : nullptr);
+        searchTicks_ = sample.sum(&TraceTimes::camera);
+        shadowTicks_ = sample.sum(&TraceTimes::shadow);
         sums_.assign(static_cast<std::size_t>(block.width()) * static_cast<std::size_t>(block.height()),
                      Colour{});
         pushCameraRays(block);
@@ -45,6 +51,7 @@ private:
             current_.pad(lanes);
             reflected_.clear(), transmitted_.clear();
             for (std::size_t first = 0; first < current_.size(); first += lanes) tracePacket(first);
+            searchTicks_ = sample.sum(&TraceTimes::secondary);
             current_.swap(reflected_);
             current_.append(transmitted_);
         }
@@ -119,7 +126,10 @@ private:
         ColourPacket colours;
         const std::size_t count = std::min(lanes, current_.size() - first);
         loadPacket(first, rays);
-        nearestHits(world_, rays, hits);
+        {
+            const PhaseTimer timer(searchTicks_);
+            nearestHits(world_, rays, hits);
+        }
         for (std::size_t i = count; i < lanes; ++i)
             hits.element[i] = noElement; // repeated lanes must not count
         if (hits.isEmpty()) {
@@ -131,7 +141,8 @@ private:
             const V3 d = rays.direction(at), n = points.normal(at);
             mirrors.setDirection(at, normalised(d - n * (set(2) * dot(d, n))));
         }
-        localColours<isTinted>(world_, hits, points, mirrors, blockers_, colours, counts_.shadow);
+        localColours<isTinted>(world_, hits, points, mirrors, blockers_, colours, counts_.shadow,
+                               shadowTicks_);
         addColours(first, count, hits, colours);
         if (world_.levels == 0) return;
         for (std::size_t at = 0; at < lanes; at += half) {
@@ -221,19 +232,24 @@ private:
 
     const World& world_;
     RayCounts& counts_;
+    TraceTimes* const times_; ///< null: not asked for
+    // Null unless the block is in the sample.
+    std::uint64_t *searchTicks_ = nullptr, ///< of the generation's rays
+        *shadowTicks_ = nullptr;
     MediaPool media_;
+    std::size_t& blockCount_;
     std::vector<ElementId>& blockers_; ///< of each light
     std::vector<Colour>& sums_;        ///< of the block's pixels
     RayQueue &current_, &reflected_, &transmitted_;
 };
 
 HWY_INLINE void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride,
-                           RayCounts& counts) {
+                           RayCounts& counts, TraceTimes* times) {
     thread_local Workspace<Scalar> memory;
     if (world.isTinted)
-        WhittedLanes<true>(world, memory, counts).render(tile, pixels, stride);
+        WhittedLanes<true>(world, memory, counts, times).render(tile, pixels, stride);
     else
-        WhittedLanes<false>(world, memory, counts).render(tile, pixels, stride);
+        WhittedLanes<false>(world, memory, counts, times).render(tile, pixels, stride);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
