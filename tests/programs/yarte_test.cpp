@@ -450,7 +450,7 @@ TEST_F(Yarte, WhatTheProfileDoesNotKnowIsNull) {
         render({"s.yarte", "--size", size, "--stats", "s.json", "--processes", "1"});
         return nlohmann::json::parse(bytes("s.json")).at("profile");
     };
-    const nlohmann::json known = profile("64x64"), unknown = profile("16x16");
+    const nlohmann::json known = profile("640x640"), unknown = profile("16x16");
     EXPECT_TRUE(known.at("shadow_s").is_number());
     EXPECT_EQ(known.at("secondary_s"), 0);
     EXPECT_TRUE(known.at("per_million_rays_s").at("secondary").is_null()) << "there is no such ray";
