@@ -14,6 +14,8 @@ namespace {
 
 using Axes = double[3];
 
+constexpr double farthest = 0x1p28; // as for doubles
+
 struct Field {
     Tree tree;
     std::vector<Bounds> boxes; ///< of the tree's entries
@@ -75,7 +77,7 @@ TEST(LightBuffer, EveryPointOfABoxIsSeenInACellThatListsIt) {
     for (const Vec3 light :
          {Vec3{0, 0, 0}, Vec3{30, 40, 20}, Vec3{0, 25, 0}, Vec3{1e6, -1e6, 3e5}, Vec3{10, 10, 10}}) {
         const Field field = boxField(2000, 10, 0.4, 5);
-        const LightBuffer buffer = buildLightBuffer(field.tree, field.boxes, light);
+        const LightBuffer buffer = buildLightBuffer(field.tree, field.boxes, light, farthest);
         ASSERT_FALSE(buffer.empty());
         test::Random random(7);
         int missed = 0;
@@ -97,7 +99,7 @@ TEST(LightBuffer, EveryPointOfABoxIsSeenInACellThatListsIt) {
 
 TEST(LightBuffer, ListsAreShort) {
     const Field field = boxField(2000, 10, 0.4, 5);
-    const LightBuffer buffer = buildLightBuffer(field.tree, field.boxes, {30, 40, 20});
+    const LightBuffer buffer = buildLightBuffer(field.tree, field.boxes, {30, 40, 20}, farthest);
     std::uint32_t longest = 0;
     for (const LightBuffer::Cell& cell : buffer.cells)
         if (cell.blockCount != LightBuffer::Cell::crowded) longest = std::max(longest, cell.blockCount);
@@ -108,12 +110,13 @@ TEST(LightBuffer, ListsAreShort) {
 TEST(LightBuffer, IsNotMadeWhereTheTreeIsBetter) {
     const Vec3 light{30, 40, 20};
     const Field crowded = boxField(2000, 1, 3, 1); // each over most others
-    EXPECT_TRUE(buildLightBuffer(crowded.tree, crowded.boxes, light).empty());
+    EXPECT_TRUE(buildLightBuffer(crowded.tree, crowded.boxes, light, farthest).empty());
     const Field field = boxField(2000, 10, 0.4, 1);
-    EXPECT_FALSE(buildLightBuffer(field.tree, field.boxes, light).empty());
-    EXPECT_TRUE(buildLightBuffer(field.tree, field.boxes, {1e12, 0, 0}).empty()); // slopes are rounded
+    EXPECT_FALSE(buildLightBuffer(field.tree, field.boxes, light, farthest).empty());
+    EXPECT_TRUE(
+        buildLightBuffer(field.tree, field.boxes, {1e12, 0, 0}, farthest).empty()); // slopes are rounded
     const Field far = boxField(2000, 10, 0.4, 1, {1e12, 0, 0});
-    EXPECT_TRUE(buildLightBuffer(far.tree, far.boxes, {1e12, 30, 0}).empty());
+    EXPECT_TRUE(buildLightBuffer(far.tree, far.boxes, {1e12, 30, 0}, farthest).empty());
 }
 
 } // namespace

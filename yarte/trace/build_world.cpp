@@ -13,6 +13,7 @@
 #include <span>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 namespace yarte {
 
@@ -187,20 +188,53 @@ Bounds boundsOfAll(const World& world) {
     return all;
 }
 
-/// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
-/// products of a few numbers no larger than the largest here. In tilted walls of jittered triangles all of 4
-/// million starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a
-/// sixteenth.
-double roundingOf(const World& world, const Bounds& all) {
-    double largest = largestOf(world.camera.position);
-    if (!all.isEmpty()) largest = std::max({largest, largestOf(all.low), largestOf(all.high)});
-    return 0x1p-46 * largest;
+/// The largest coordinate of what is in a box, seen from `origin`.
+double reachOf(const Bounds& box, Vec3 origin) {
+    return box.isEmpty() ? 0 : std::max(largestOf(box.low - origin), largestOf(box.high - origin));
 }
 
-Tree treeOf(const World& world, const Bounds& all) {
+/// How far from a plane a point may be that lies in it: its coordinates, and the plane's, are sums and
+/// products of a few numbers no larger than `largest`. In tilted walls of jittered triangles all of 4 million
+/// starts are nearer than half of this to their neighbour's plane, all but 18 nearer than a sixteenth.
+double roundingOf(double largest) { return 0x1p-46 * largest; }
+
+/// What boxes are widened by for the rounding of lines in float.
+double roomFor(Precision precision, double largest) {
+    return precision == Precision::inFloat ? 0x1p-20 * largest : 0;
+}
+
+/// Whether float does for the picture: each number is rounded to 2^-24 of its distance from the camera, which
+/// is to be less than a hundredth of a pixel's width; and products of four lengths must neither overflow nor
+/// vanish.
+bool suitsFloat(const World& world, const Bounds& all) {
+    constexpr double narrowest = 0x1p-17, smallest = 0x1p-16, largest = 0x1p30, farthestLight = 0x1p60;
+    const CameraRays& camera = world.camera;
+    if (length(camera.right) / camera.width < narrowest || length(camera.up) / camera.height < narrowest)
+        return false;
+    for (const Light& light : world.lights)
+        if (largestOf(light.position - camera.position) > farthestLight) return false;
+    const double reach = reachOf(all, camera.position);
+    return all.isEmpty() || (reach >= smallest && reach <= largest);
+}
+
+/// Moves the world so that the camera is at the origin: the nearer to the eye, the finer the numbers.
+void moveToCamera(World& world) {
+    const Vec3 origin = std::exchange(world.camera.position, Vec3{});
+    const auto move = [origin](auto& shapes) {
+        for (auto& shape : shapes) shape.centre = shape.centre - origin;
+    };
+    move(world.spheres), move(world.boxes), move(world.cones), move(world.truncatedCones);
+    move(world.frustums), move(world.discs);
+    for (trace::Plane& plane : world.planes) plane.distance -= dot(plane.normal, origin);
+    for (Vec3& vertex : world.faces.vertices) vertex = vertex - origin;
+    for (FacePlane& plane : world.faces.planes) plane.anchor = plane.anchor - origin;
+    for (Light& light : world.lights) light.position = light.position - origin;
+}
+
+Tree treeOf(const World& world, const Bounds& all, double room) {
     if (world.elements.size() - world.unbounded.size() < minElementsForTree) return {};
-    Tree tree =
-        buildTree(all, world.elements.size(), [&](ElementId element) { return boundsOf(world, element); });
+    Tree tree = buildTree(
+        all, world.elements.size(), [&](ElementId element) { return boundsOf(world, element); }, room);
     for (TreeEntry& entry : tree.entries) {
         const auto [kind, row] = world.elements[entry.element.index];
         if (kind != Kind::face || world.faces.faces[row].cornerCount != 3) continue;
@@ -216,11 +250,13 @@ std::vector<LightBuffer> lightBuffersOf(const World& world, Resolution resolutio
     const auto pixels =
         static_cast<std::size_t>(resolution.width) * static_cast<std::size_t>(resolution.height);
     if (count < minBufferedElements || count > pixels / pixelsPerBufferedElement) return buffers;
+    // Roundings of 2^-52 and 2^-23 are then 2^-24 and, at most, 2^-17 of the tree's radius.
+    const double farthest = world.precision == Precision::inDouble ? 0x1p28 : 0x1p6;
     std::vector<Bounds> boxes;
     reserveWhole(boxes, count);
     for (const TreeEntry& entry : world.tree.entries) boxes.push_back(boundsOf(world, entry.element));
     tbb::parallel_for(std::size_t{0}, buffers.size(), [&](std::size_t l) {
-        buffers[l] = buildLightBuffer(world.tree, boxes, world.lights[l].position);
+        buffers[l] = buildLightBuffer(world.tree, boxes, world.lights[l].position, farthest);
     });
     return buffers;
 }
@@ -293,7 +329,9 @@ std::vector<BodyId> mediaAround(const World& world) {
 
 } // namespace
 
-WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
+Precision precisionOf(const World& world) { return world.precision; }
+
+WorldPtr buildWorld(const Scene& scene, Resolution resolution, Precision precision) {
     auto owned = std::make_unique<World>();
     World& world = *owned;
     world.camera = CameraRays(scene.camera, resolution);
@@ -304,11 +342,17 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution) {
     Builder builder(scene, world);
     builder.reserveFaces();
     for (const Body& body : scene.bodies) builder.addBody(body);
-    const Bounds all = boundsOfAll(world);
-    world.faces.rounding = roundingOf(world, all);
+    Bounds all = boundsOfAll(world);
+    if (precision == Precision::inFloat && suitsFloat(world, all)) {
+        world.precision = precision;
+        moveToCamera(world);
+        all = boundsOfAll(world);
+    }
+    const double largest = std::max(largestOf(world.camera.position), reachOf(all, {}));
+    world.faces.rounding = roundingOf(largest);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
-    world.tree = treeOf(world, all);
+    world.tree = treeOf(world, all, roomFor(world.precision, largest));
     world.lightBuffers = lightBuffersOf(world, resolution);
     return WorldPtr(owned.release());
 }

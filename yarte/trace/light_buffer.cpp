@@ -137,7 +137,7 @@ std::vector<FaceViews> lookAround(const Tree& tree, std::span<const Bounds> boxe
     double area = 0;
     for (int axis = 0; axis < 3; ++axis)
         for (const bool isDownwards : {false, true}) {
-            FaceViews seen = look(boxes, light, boxMargin * tree.radius, axis, isDownwards);
+            FaceViews seen = look(boxes, light, tree.margin, axis, isDownwards);
             if (seen.area() <= 0) continue;
             area += seen.area();
             faces.push_back(std::move(seen));
@@ -213,11 +213,10 @@ void fill(std::span<const FaceViews> faces, LightBuffer& buffer) {
 
 } // namespace
 
-LightBuffer buildLightBuffer(const Tree& tree, std::span<const Bounds> boxes, Vec3 light) {
+LightBuffer buildLightBuffer(const Tree& tree, std::span<const Bounds> boxes, Vec3 light, double farthest) {
     LightBuffer buffer;
     buffer.light = light;
-    // Slopes are rounded by 2^-52, which at this distance is still far less than the boxes' margin.
-    const double reach = 0x1p28 * tree.radius;
+    const double reach = farthest * tree.radius;
     if (length(light - tree.centre) > reach || length(tree.centre) > reach) return buffer;
     const std::vector<FaceViews> faces = lookAround(tree, boxes, light);
     if (faces.empty()) return buffer;

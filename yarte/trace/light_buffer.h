@@ -53,7 +53,8 @@ struct LightBuffer {
 };
 
 /// `boxes` are those of `tree.entries`, in their order. Empty where many elements crowd together, which the
-/// tree is better at, or if the light is so far away that slopes are too coarse.
-LightBuffer buildLightBuffer(const Tree& tree, std::span<const Bounds> boxes, Vec3 light);
+/// tree is better at, and where the light or the tree is farther away than `farthest` radii of the tree:
+/// slopes and coordinates as they are rounded there must be exact to well within the tree's margin.
+LightBuffer buildLightBuffer(const Tree& tree, std::span<const Bounds> boxes, Vec3 light, double farthest);
 
 } // namespace yarte::trace

@@ -34,6 +34,21 @@ struct PowerConstants<double> {
     static constexpr Bits mantissa = (Bits{1} << mantissaBits) - 1;
 };
 
+template <>
+struct PowerConstants<float> {
+    /// Five terms reach 2^-27.
+    static constexpr float logTerms[] = {2.f / 9, 2.f / 7, 2.f / 5, 2.f / 3, 2.f};
+    /// Eight terms reach 2^-27.
+    static constexpr float expTerms[] = {1.f / 5040, 1.f / 720, 1.f / 120, 1.f / 24,
+                                         1.f / 6,    1.f / 2,   1.f,       1.f};
+    static constexpr float ln2High = 0x1.62e3p-1f, ln2Low = 0x1.2fefa2p-17f;
+    static constexpr float rounder = 0x1.8p23f;
+    using Bits = std::uint32_t;
+    static constexpr Bits sqrtHalf = 0x3f3504f3;
+    static constexpr int mantissaBits = 23, exponentBias = 127;
+    static constexpr Bits mantissa = (Bits{1} << mantissaBits) - 1;
+};
+
 /// x^n for 0 < x <= 1 (a little above 1 by rounding is fine) and n >= 0, to a few ulps; 0 where it is below
 /// e^darkness.
 inline double power(double x, double n) {

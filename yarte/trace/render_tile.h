@@ -19,8 +19,17 @@ struct WorldDeleter {
 };
 using WorldPtr = std::unique_ptr<const World, WorldDeleter>;
 
-/// `resolution` is that of the whole image (the scene's own, or what the user asked for instead).
-WorldPtr buildWorld(const Scene&, Resolution resolution);
+/// What renderTile computes in.
+enum class Precision {
+    inDouble, ///< the reference
+    inFloat,  ///< faster, for pictures that are only looked at
+};
+
+/// `resolution` is that of the whole image (the scene's own, or what the user asked for instead). A scene
+/// that float cannot hold is built for double in any case; see precisionOf.
+WorldPtr buildWorld(const Scene&, Resolution resolution, Precision = Precision::inDouble);
+
+Precision precisionOf(const World&);
 
 /// Pixels [x0, x1) x [y0, y1) of the image, row 0 on top.
 struct Tile {
@@ -67,7 +76,8 @@ void renderTile(const World&, Tile, Colour* pixels, std::size_t stride, RayCount
 void renderTileTimed(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts,
                      TraceTimes& times);
 
-/// The same as renderTile, ray by ray in plain code: the reference that renderTile equals to the last bit.
+/// The same as renderTile, ray by ray in plain code and always in double: the reference that renderTile in
+/// double equals to the last bit.
 void renderTileReference(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts& counts);
 
 } // namespace yarte

@@ -107,13 +107,14 @@ void flatten(const void* built, const BuiltBox& box, std::size_t at, std::vector
 
 } // namespace
 
-Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf) {
+Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf,
+               double room) {
     Tree tree;
     if (all.isEmpty()) return tree;
     tree.centre = (all.low + all.high) / 2;
     tree.radius = length(all.high - all.low) / 2;
-    const double margin = boxMargin * tree.radius;
-    const Vec3 widen{margin, margin, margin};
+    tree.margin = boxMargin * tree.radius + room;
+    const Vec3 widen{tree.margin, tree.margin, tree.margin};
     const auto boxOf = [&](const Bounds& b, std::uint32_t id) -> RTCBuildPrimitive {
         const Vec3 low = b.low - tree.centre - widen, high = b.high - tree.centre + widen;
         return {roundDown(low.x), roundDown(low.y), roundDown(low.z), 0,

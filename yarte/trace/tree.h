@@ -33,6 +33,7 @@ struct TreeEntry {
 struct Tree {
     Vec3 centre;                    ///< of all elements
     double radius = 0;              ///< of a sphere about the centre that holds all elements
+    double margin = 0;              ///< what the elements' boxes are widened by
     std::vector<TreeNode> nodes;    ///< nodes[0] is the root
     std::vector<TreeEntry> entries; ///< leaf after leaf
     bool empty() const { return nodes.empty(); }
@@ -47,7 +48,9 @@ inline constexpr double boxMargin = 2e-6;
 
 /// By surface area, with Embree's builder [Wald, Woop, Benthin, Johnson, Ernst, "Embree", SIGGRAPH 2014].
 /// Over the elements of numbers below `count`, but for those whose bounds are empty; `all` holds all of them.
-Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf);
+/// The boxes are widened by `room`, too.
+Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf,
+               double room = 0);
 
 /// The slab test's constants for one ray. A direction component of 0 becomes a slope so steep that the line
 /// stays where it is, but products with 0 remain numbers.

@@ -51,6 +51,8 @@ struct BodyAppearance {
 
 class World {
 public:
+    /// A world for float has its camera at the origin; see build_world.cpp.
+    Precision precision = Precision::inDouble;
     trace::CameraRays camera;
     Colour background;
     int levels = 0; ///< secondary generations
@@ -69,8 +71,8 @@ public:
     std::vector<trace::Element> elements;   ///< by ElementId
     std::vector<trace::BodyId> elementBody; ///< by ElementId
 
-    trace::Tree tree;                        ///< over the elements but planes; empty for few of them
-    std::vector<trace::ElementId> unbounded; ///< the planes: what the tree cannot hold
+    trace::Tree tree;                             ///< over the elements but planes; empty for few of them
+    std::vector<trace::ElementId> unbounded;      ///< the planes: what the tree cannot hold
     std::vector<trace::LightBuffer> lightBuffers; ///< of each light, over what the tree holds
     /// The distinct transmissions of the bodies but black, in an order of their own; empty: nothing
     /// transmits.

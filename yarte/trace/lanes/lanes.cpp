@@ -1,10 +1,10 @@
 #include "yarte/trace/lanes/lanes.h"
 
+#include "yarte/trace/lanes/targets.h"
+
 #include <algorithm>
 #include <stdexcept>
 
-// No gain over AVX3 and SSE4 for doubles, only compile time.
-#define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSSE3)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "yarte/trace/lanes/lanes.cpp"
 #include <hwy/foreach_target.h>
@@ -20,6 +20,9 @@ void renderTileInDouble(const World& world, Tile tile, Colour* pixels, std::size
                         TraceTimes* times) {
     inDouble::renderTile(world, tile, pixels, stride, counts, times);
 }
+// Of lanes_float.cpp.
+void renderTileInFloat(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
+                       TraceTimes* times);
 
 } // namespace yarte::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -31,7 +34,7 @@ namespace {
 /// The kernels of one instruction set.
 struct Target {
     const char* name; ///< as Highway calls it, or "baseline"
-    decltype(&HWY_STATIC_DISPATCH(renderTileInDouble)) render;
+    decltype(&HWY_STATIC_DISPATCH(renderTileInDouble)) renderInDouble, renderInFloat;
     bool (*runsHere)();
 };
 
@@ -56,15 +59,15 @@ bool always() { return true; }
 /// Best first.
 constexpr Target targets[] = {
 #if HWY_TARGETS & HWY_AVX3
-    {"AVX3", &N_AVX3::renderTileInDouble, hasAvx3},
+    {"AVX3", &N_AVX3::renderTileInDouble, &N_AVX3::renderTileInFloat, hasAvx3},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {"AVX2", &N_AVX2::renderTileInDouble, hasAvx2},
+    {"AVX2", &N_AVX2::renderTileInDouble, &N_AVX2::renderTileInFloat, hasAvx2},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {"SSE4", &N_SSE4::renderTileInDouble, hasSse4},
+    {"SSE4", &N_SSE4::renderTileInDouble, &N_SSE4::renderTileInFloat, hasSse4},
 #endif
-    {"baseline", &HWY_STATIC_DISPATCH(renderTileInDouble), always},
+    {"baseline", &HWY_STATIC_DISPATCH(renderTileInDouble), &HWY_STATIC_DISPATCH(renderTileInFloat), always},
 };
 
 const Target* best() {
@@ -77,7 +80,9 @@ const Target* chosen = best();
 
 void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
                        TraceTimes* times) {
-    chosen->render(world, tile, pixels, stride, counts, times);
+    const auto render =
+        world.precision == Precision::inDouble ? chosen->renderInDouble : chosen->renderInFloat;
+    render(world, tile, pixels, stride, counts, times);
 }
 
 std::vector<std::string> laneTargets() {

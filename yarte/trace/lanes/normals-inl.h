@@ -40,7 +40,7 @@ HWY_INLINE V3 normals(const Plane& p, V3, V) { return spread(p.normal); }
 /// Of a polygon; triangles have triangleNormals.
 HWY_INLINE V3 normals(const FaceShape& s, V3, V) { return spread(planeOf(s.table, s.face).normal); }
 
-/// Corners (or vertex normals) of the triangles that the lanes hit.
+/// Corners (or edges, or vertex normals) of the triangles that the lanes hit.
 struct alignas(64) CornerPacket {
     Scalar x[3][lanes], y[3][lanes], z[3][lanes];
     HWY_INLINE void put(std::size_t corner, std::size_t lane, Vec3 v) {
@@ -80,15 +80,17 @@ HWY_INLINE V3 interpolatedNormals(V3 a, V3 b, V3 c, V3 p, V3 normalA, V3 normalB
     return select(vanishes, flatNormal, normalised(interpolated));
 }
 
-HWY_INLINE void interpolateNormals(const FaceTable& table, const Face* const* faces,
-                                   const CornerPacket& corners, PointPacket& points) {
-    CornerPacket normals{};
+HWY_INLINE void interpolateNormals(const FaceTable& table, const Face* const* faces, PointPacket& points) {
+    CornerPacket corners{}, normals{};
     alignas(64) Scalar isSmooth[lanes] = {};
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         if (!faces[lane] || !faces[lane]->isSmooth) continue;
         isSmooth[lane] = 1;
-        for (std::size_t corner = 0; corner < 3; ++corner)
-            normals.put(corner, lane, table.normals[table.cornerNormals[faces[lane]->firstCorner + corner]]);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::size_t at = faces[lane]->firstCorner + corner;
+            corners.put(corner, lane, table.vertices[table.corners[at]]);
+            normals.put(corner, lane, table.normals[table.cornerNormals[at]]);
+        }
     }
     for (std::size_t at = 0; at < lanes; at += half) {
         const V3 flat = points.normal(at);
@@ -114,17 +116,22 @@ HWY_INLINE void triangleNormals(const World& world, Scalar* elements, PointPacke
         someTriangle = true, someSmooth = someSmooth || faces[lane]->isSmooth;
     }
     if (!someTriangle) return;
-    CornerPacket corners{};
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        for (std::size_t corner = 0; corner < 3 && faces[lane]; ++corner)
-            corners.put(corner, lane, table.vertices[table.corners[faces[lane]->firstCorner + corner]]);
+    CornerPacket edges{};
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (!faces[lane]) continue;
+        const auto corners = table.cornersOf(*faces[lane]);
+        const Vec3 a = table.vertices[corners[0]];
+        // Before they are rounded to float, which may leave little of a small triangle far away.
+        edges.put(0, lane, table.vertices[corners[1]] - a),
+            edges.put(1, lane, table.vertices[corners[2]] - a);
+    }
     for (std::size_t at = 0; at < lanes; at += half) {
-        const V3 ab = corners.at(1, at) - corners.at(0, at), ac = corners.at(2, at) - corners.at(0, at);
+        const V3 ab = edges.at(0, at), ac = edges.at(1, at);
         // The other lanes, 0/0 for now, are written later.
         points.setNormal(at, normalised(V3{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z,
                                            ab.x * ac.y - ab.y * ac.x}));
     }
-    if (someSmooth) interpolateNormals(table, faces, corners, points);
+    if (someSmooth) interpolateNormals(table, faces, points);
 }
 
 /// The same for spheres: rays that were reflected by small ones go apart and meet as many.

@@ -75,6 +75,22 @@ private:
     }
 };
 
+/// How near to a surface the lines' starts lie on it, as far as their rounded coordinates tell. In float that
+/// is a part of the distance from the camera, which is at the origin: less than a hundredth of a pixel's
+/// width.
+struct alignas(64) RoundingPacket {
+    Scalar distance[lanes];
+
+    HWY_INLINE RoundingPacket(const RayPacket& rays, double ofDoubles) {
+        for (std::size_t at = 0; at < lanes; at += half) {
+            const V3 o = rays.origin(at);
+            store(isFloat ? (hn::Abs(o.x) + hn::Abs(o.y) + hn::Abs(o.z)) * set(0x1p-18) : set(ofDoubles),
+                  distance + at);
+        }
+    }
+    HWY_INLINE V at(std::size_t i) const { return load(distance + i); }
+};
+
 struct alignas(64) HitPacket {
     Scalar t[lanes], element[lanes], part[lanes], entering[lanes];
 

@@ -12,6 +12,7 @@ namespace yarte::trace {
 namespace inDouble {
 
 using Scalar = double;
+inline constexpr bool isFloat = false;
 
 /// Ids are kept in lanes as numbers in the same order, which compare and blend as all else does.
 constexpr Scalar laneOf(std::uint32_t id) { return id; }
@@ -23,6 +24,7 @@ inline constexpr Scalar noElement = laneOf(0xffffffff);
 namespace inFloat {
 
 using Scalar = float;
+inline constexpr bool isFloat = true;
 
 /// As in double, but floats hold integers to 2^24 only: an id counts the floats from the least normal one.
 /// Good for 2^31 - 2^24 ids.

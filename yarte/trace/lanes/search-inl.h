@@ -18,14 +18,15 @@ namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 struct Lines {
     const RayPacket& rays;
     const ShearPacket& shear;
+    const RoundingPacket& rounding;
 };
 
 template <class Shape>
 HWY_INLINE CrossingLanes crossings(const Shape& shape, const Lines& lines, std::size_t at, V limit) {
     if constexpr (std::is_same_v<Shape, TriangleShape>)
-        return crossings(shape, lines.rays, lines.shear, at);
+        return crossings(shape, lines.rays, lines.shear, at, lines.rounding.at(at));
     else if constexpr (std::is_same_v<Shape, FaceShape>)
-        return crossings(shape, lines.rays, lines.shear, at, limit);
+        return crossings(shape, lines.rays, lines.shear, at, lines.rounding.at(at), limit);
     else
         return crossings(shape, lines.rays.origin(at), lines.rays.direction(at));
 }
@@ -46,11 +47,13 @@ template <class Shape>
 HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size_t at, Scalar element,
                                V limit) {
     const V zero = set(0);
+    // A start on one surface may in float be on the wrong side of another that touches it there.
+    const V start = isFloat ? lines.rounding.at(at) : zero;
     CrossingLanes c = crossings(shape, lines, at, limit);
     const Departing departs = departing(lines.rays, at, element);
     const M leaves = c.leaves;
-    c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > zero));
-    c.leaves = hn::And(leaves, c.leave > zero);
+    c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > start));
+    c.leaves = hn::And(leaves, c.leave > start);
     if constexpr (Shape::isFlat) {
         c.leaves = hn::AndNot(departs.any, c.leaves);
     } else if (any(departs.any)) {
@@ -90,7 +93,7 @@ HWY_INLINE bool improve(const Shape& shape, Scalar element, const Lines& lines, 
 
 HWY_INLINE bool isTriangle(const TreeEntry& entry) { return entry.corners[0] != TreeEntry::noTriangle; }
 HWY_INLINE TriangleShape triangle(const World& world, const TreeEntry& entry) {
-    return {world.faces.vertices.data(), entry.corners, world.faces.rounding};
+    return {world.faces.vertices.data(), entry.corners};
 }
 
 /// Nearest crossings of all lanes; element is noElement where there is none.
@@ -103,7 +106,8 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
     }
     ShearPacket shear;
     if (!world.faces.faces.empty()) shear.shearAlong(rays);
-    const Lines lines{rays, shear};
+    const RoundingPacket rounding(rays, world.faces.rounding);
+    const Lines lines{rays, shear, rounding};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {
         return world.visit(id, [&](const auto& shape)
                                    HWY_ATTR { return improve(shape, laneOf(id.index), lines, mask, best); });

@@ -84,7 +84,8 @@ class ShadowSearch {
 public:
     HWY_INLINE ShadowSearch(const World& world, const RayPacket& rays, ShadowPacket& shadow,
                             ElementId& blocker)
-        : world_(world), lines_{rays, shear_}, shadow_(shadow), blocker_(blocker) {
+        : world_(world), rounding_(rays, world.faces.rounding), lines_{rays, shear_, rounding_},
+          shadow_(shadow), blocker_(blocker) {
         if (!world.faces.faces.empty()) shear_.shearAlong(rays);
     }
 
@@ -152,6 +153,7 @@ public:
 private:
     const World& world_;
     ShearPacket shear_;
+    RoundingPacket rounding_;
     Lines lines_;
     ShadowPacket& shadow_;
     ElementId& blocker_;

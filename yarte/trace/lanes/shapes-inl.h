@@ -221,38 +221,44 @@ HWY_INLINE M seesThrough(std::span<const std::uint32_t> corners, const Vec3* ver
     return inside;
 }
 
+/// How far the origins are in front of a face's plane. In float the camera is at the origin, and from there
+/// the plane is known better than by a corner that may be far away.
+HWY_INLINE V heightAbove(const FacePlane& plane, V3 origin) {
+    const V3 normal = spread(plane.normal);
+    if constexpr (isFloat) return dot(origin, normal) - set(dot(plane.anchor, plane.normal));
+    return dot(origin - spread(plane.anchor), normal);
+}
+
 /// A triangle as a tree's leaf knows it.
 struct TriangleShape {
     static constexpr bool isFlat = true, isClosed = false;
     const Vec3* vertices;
     const std::uint32_t* corners;
-    double rounding; ///< of FaceTable
 };
 
 HWY_INLINE CrossingLanes crossings(const TriangleShape& s, const RayPacket& rays, const ShearPacket& shear,
-                                   std::size_t at) {
+                                   std::size_t at, V rounding) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
     const M inside = seesThrough(std::span(s.corners, 3), s.vertices, origin, shear, at);
     if (!any(inside)) return noCrossings();
     const Vec3 anchor = s.vertices[s.corners[0]];
-    const V3 normal = spread(triangleNormal(anchor, s.vertices[s.corners[1]], s.vertices[s.corners[2]]));
-    const V fall = hn::Neg(dot(direction, normal));
-    const V height = dot(origin - spread(anchor), normal);
-    const M isOff = hn::Abs(height) > set(s.rounding);
+    const FacePlane plane{triangleNormal(anchor, s.vertices[s.corners[1]], s.vertices[s.corners[2]]), anchor};
+    const V fall = hn::Neg(dot(direction, spread(plane.normal)));
+    const V height = heightAbove(plane, origin);
+    const M isOff = hn::Abs(height) > rounding;
     return onceCrossed(height / fall, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
 }
 
 /// Crossings beyond `limit` may be left out.
 HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, const ShearPacket& shear,
-                                   std::size_t at, V limit) {
+                                   std::size_t at, V rounding, V limit) {
     const V3 origin = rays.origin(at), direction = rays.direction(at);
     V fall = set(0), t = set(0);
     M isOff = none();
     const auto meetPlane = [&](const FacePlane& plane) HWY_ATTR {
-        const V3 normal = spread(plane.normal);
-        fall = hn::Neg(dot(direction, normal));
-        const V height = dot(origin - spread(plane.anchor), normal);
-        isOff = hn::Abs(height) > set(s.table.rounding);
+        fall = hn::Neg(dot(direction, spread(plane.normal)));
+        const V height = heightAbove(plane, origin);
+        isOff = hn::Abs(height) > rounding;
         t = height / fall;
     };
     const bool isKnown = s.face.plane != Face::noPlane;
