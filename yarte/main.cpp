@@ -115,7 +115,7 @@ private:
     Rendering readJournal(Journal&, Tile region);
     void tellOfJournal(const Journal&, std::size_t damagedRecords);
     void write(Rendering&, double gamma);
-    void writeAov(const Scene&, const World&, const RenderOptions&);
+    void writeAov(const Scene&, Resolution, const World*, const RenderOptions&);
 
     Options options_;
     Sources sources_;
@@ -149,8 +149,15 @@ std::optional<Scene> Run::read() {
 
 WorldPtr Run::build(const Scene& scene, Resolution resolution) {
     const Stopwatch watch;
-    WorldPtr world = buildWorld(scene, resolution);
+    WorldPtr world = buildWorld(scene, resolution, options_.precision);
     stats_.buildSeconds = watch.seconds();
+    stats_.precision = precisionOf(*world);
+    if (precisionOf(*world) != options_.precision) {
+        Diagnostics diagnostics;
+        diagnostics.warning("yarte.precision",
+                            "float is too coarse for this scene at this size; traced in double");
+        print(stderr, format(diagnostics, Sources(), style_));
+    }
     return world;
 }
 
@@ -231,8 +238,12 @@ void Run::write(Rendering& rendering, double gamma) {
     stats_.writeSeconds = watch.seconds();
 }
 
-void Run::writeAov(const Scene& scene, const World& world, const RenderOptions& options) {
-    const auto image = aovImage(scene, sources_, world, options,
+void Run::writeAov(const Scene& scene, Resolution resolution, const World* world,
+                   const RenderOptions& options) {
+    // They are always in double, in a world that is where the scene is, and of one ray a pixel.
+    const bool suits = world && precisionOf(*world) == Precision::inDouble && options_.samples == 1;
+    const WorldPtr own = suits ? nullptr : buildWorld(scene, resolution);
+    const auto image = aovImage(scene, sources_, suits ? *world : *own, options,
                                 [](RenderProgress) { return !DeferredInterrupts::pending(); });
     if (image) orCannot("write", [&] { writeFile(*options_.aov, encodeExrLayers(*image)); });
 }
@@ -264,11 +275,11 @@ int Run::operator()() {
     std::optional<Journal> journal = openJournal(*scene, resolution, region);
     const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers,
                                 journal ? &*journal : nullptr};
-    std::optional<Rendering> rendering =
-        options_.partial ? readJournal(*journal, region) : trace(*build(*scene, rays), options);
+    const WorldPtr world = options_.partial ? nullptr : build(*scene, rays);
+    std::optional<Rendering> rendering = world ? trace(*world, options) : readJournal(*journal, region);
     if (rendering && journal) tellOfJournal(*journal, rendering->damagedRecords);
     if (rendering) write(*rendering, scene->gamma);
-    if (rendering && options_.aov) writeAov(*scene, *buildWorld(*scene, resolution), options);
+    if (rendering && options_.aov) writeAov(*scene, resolution, world.get(), options);
     if (const int signal = DeferredInterrupts::pending())
         return fail(interruptExitCode(signal), "interrupted");
 

@@ -60,7 +60,8 @@ std::string checkAovFile(const std::string& file) {
 
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string scene, size, region, progress = "auto", diagnostics = "text", stats, aov, checkpoint;
+    std::string scene, size, region, stats, aov, checkpoint;
+    std::string precision = "double", progress = "auto", diagnostics = "text";
     std::vector<std::string> outputs, allowedFolders;
     std::optional<int> processes, threads;
 };
@@ -82,6 +83,11 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
     app.add_option("--region", raw.region,
                    "Render these pixels only: zero-based, half-open; the output has the region's size")
         ->type_name("X0,Y0,X1,Y1");
+    app.add_option("--precision", raw.precision,
+                   "Numbers to compute in; fast: in float, for pictures that are only looked at")
+        ->type_name("double|fast")
+        ->capture_default_str()
+        ->check(CLI::Validator(CLI::IsMember({"double", "fast"})).description(""));
     const auto processes =
         app.add_option("--processes", raw.processes,
                        "Worker processes; 0: render in this process. Default: one per core")
@@ -142,6 +148,7 @@ void complete(Options& options, const Raw& raw) {
         options.outputs.push_back(options.scene.filename().replace_extension(".png"));
     if (!raw.size.empty()) options.size = parseSize(raw.size);
     if (!raw.region.empty()) options.region = parseRegion(raw.region);
+    if (raw.precision == "fast") options.precision = Precision::inFloat;
     if (raw.threads) {
         options.mode = RenderMode::threads;
         options.workers = *raw.threads;

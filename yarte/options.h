@@ -19,6 +19,7 @@ struct Options {
     std::vector<std::filesystem::path> outputs; ///< at least one, each of a known format
     std::optional<Resolution> size;             ///< instead of the scene's
     std::optional<Tile> region;                 ///< of the image; may lie outside it
+    Precision precision = Precision::inDouble;
     RenderMode mode = RenderMode::processes;
     int workers = 1;
     int tileSide = 32;

@@ -64,6 +64,7 @@ std::string toJson(const Stats& s) {
     add("height", fmt::to_string(s.height));
     add("mode", jsonString(modeName(s.mode)));
     add("workers", fmt::to_string(s.workers));
+    add("precision", jsonString(s.precision == Precision::inDouble ? "double" : "fast"));
     add("parse_s", seconds(s.parseSeconds));
     add("build_s", seconds(s.buildSeconds));
     add("trace_s", seconds(s.traceSeconds));

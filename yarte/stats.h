@@ -13,6 +13,7 @@ struct Stats {
     int width = 0, height = 0; ///< pixels rendered
     RenderMode mode = RenderMode::serial;
     int workers = 0;
+    Precision precision = Precision::inDouble; ///< of the computation, whatever was asked for
     double parseSeconds = 0, buildSeconds = 0, traceSeconds = 0, writeSeconds = 0, wallSeconds = 0;
     std::uint64_t peakRssBytes = 0;
     RayCounts rays;

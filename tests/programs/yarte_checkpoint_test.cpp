@@ -109,6 +109,8 @@ TEST_F(YarteCheckpoint, WhatHasChangedIsNamed) {
     EXPECT_THAT(refusal(with(joined(resume, {"--region", "0,0,50,50"}))),
                 HasSubstr("--region was 0,0,160,120, is 0,0,50,50"));
     EXPECT_THAT(refusal(with(joined(resume, {"--samples", "3"}))), HasSubstr("--samples was 1, is 3"));
+    EXPECT_THAT(refusal(with(joined(resume, {"--precision", "fast"}))),
+                HasSubstr("--precision was double, is fast"));
     EXPECT_THAT(refusal(with(joined(resume, {"--tile", "16"}))), HasSubstr("--tile was 32, is 16"));
     writeFile(folder_ / "t.pmf", "3 1\n-1 -1 2\n1 -1 2\n0 1 2.5\n0 1 2\n");
     EXPECT_THAT(refusal(with(resume)), HasSubstr("of another render: the mesh 't.pmf' was "));

@@ -133,8 +133,8 @@ TEST_F(YarteSignals, ALostWorkerIsReplacedAndThePictureIsTheSame) {
 
 TEST_F(YarteSignals, ASecondDeathOnTheSameTileEndsTheRenderByItsName) {
     Program yarte("yarte", endless({"--processes=1", "--tile=8000"}), folder_); // a single tile
-    // A worker first needs the time to take the tile; a death before that is not the tile's. So on a busy machine it
-    // may be more than two workers that die.
+    // A worker first needs the time to take the tile; a death before that is not the tile's. So on a busy
+    // machine it may be more than two workers that die.
     for (const auto begin = std::chrono::steady_clock::now();
          !yarte.hasEnded() && std::chrono::steady_clock::now() - begin < 60s;) {
         std::this_thread::sleep_for(500ms);

@@ -83,6 +83,34 @@ TEST_F(Yarte, WritesTheSameBytesInEveryModeAndForAnyTileSize) {
             EXPECT_EQ(picture({"--threads", threads, "--tile", side}), reference) << threads << ' ' << side;
 }
 
+TEST_F(Yarte, InFloatTheBytesAreTheSameInEveryModeAndTheAovThoseOfDouble) {
+    const auto files = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {paper, "--size", "61x47", "-o", "a.pfm", "--aov", "a.exr"});
+        render(options);
+        return std::pair(bytes("a.pfm"), bytes("a.exr"));
+    };
+    const auto [exact, exactAov] = files({"--precision", "double", "--stats", "s.json"});
+    EXPECT_THAT(bytes("s.json"), HasSubstr("\"precision\": \"double\""));
+    const auto [fast, aov] = files({"--precision", "fast", "--processes", "0", "--stats", "s.json"});
+    EXPECT_THAT(bytes("s.json"), HasSubstr("\"precision\": \"fast\""));
+    EXPECT_NE(fast, exact);
+    EXPECT_TRUE(aov == exactAov);
+    for (const char* workers : {"--processes", "--threads"})
+        for (const char* side : {"7", "1000"})
+            EXPECT_EQ(files({"--precision", "fast", workers, "3", "--tile", side}).first, fast)
+                << workers << ' ' << side;
+}
+
+TEST_F(Yarte, WhatFloatCannotHoldIsTracedInDoubleWithAWarning) {
+    write("s.yarte", std::string(sphereScene) + "camera_apertures 0.001 0.001\n");
+    render({"s.yarte", "-o", "exact.pfm"});
+    const auto result = yarte({"s.yarte", "-o", "fast.pfm", "--precision", "fast", "--stats", "s.json"});
+    EXPECT_EQ(result.exitCode, 0);
+    EXPECT_THAT(result.err, AllOf(StartsWith("warning: "), HasSubstr("[yarte.precision]")));
+    EXPECT_THAT(bytes("s.json"), HasSubstr("\"precision\": \"double\""));
+    EXPECT_EQ(bytes("fast.pfm"), bytes("exact.pfm"));
+}
+
 TEST_F(Yarte, ARegionHasThePixelsOfTheWholePicture) {
     render({paper, "--size", "61x47", "-o", "whole.ppm"});
     const std::string whole = bytes("whole.ppm").substr(sizeof "P6\n61 47\n255\n" - 1);
@@ -208,11 +236,28 @@ TEST_F(Yarte, HelpNamesEveryOptionAndVersionTheVersion) {
     const auto help = yarte({"--help"});
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* option :
-         {"SCENE", "--help", "--version", "-o,", "--size WxH", "--region X0,Y0,X1,Y1", "--processes N",
-          "--threads N", "--tile N", "--samples N", "--depth 8|16", "--linear", "--half", "--big-endian",
-          "--allow-path DIR", "--progress auto|bar|json|none", "--stats FILE", "--checkpoint FILE", "--resume", "--partial",
-          "--diagnostics text|json"})
+    for (const char* option : {"SCENE",
+                               "--help",
+                               "--version",
+                               "-o,",
+                               "--size WxH",
+                               "--region X0,Y0,X1,Y1",
+                               "--processes N",
+                               "--threads N",
+                               "--tile N",
+                               "--samples N",
+                               "--depth 8|16",
+                               "--linear",
+                               "--half",
+                               "--big-endian",
+                               "--allow-path DIR",
+                               "--precision double|fast",
+                               "--progress auto|bar|json|none",
+                               "--stats FILE",
+                               "--checkpoint FILE",
+                               "--resume",
+                               "--partial",
+                               "--diagnostics text|json"})
         EXPECT_THAT(help.out, HasSubstr(option));
     const auto version = yarte({"--version"});
     EXPECT_EQ(version.exitCode, 0);
@@ -246,6 +291,7 @@ TEST_F(Yarte, WrongUsageIsExitCode2AndSaysWhat) {
         {{"s.yarte", "--samples", "0"}, "--samples: expected a whole number from 1 to 256, got '0'"},
         {{"s.yarte", "--samples", "257"}, "--samples: expected a whole number from 1 to 256, got '257'"},
         {{"s.yarte", "--depth", "10"}, "--depth: 10 not in {8,16}"},
+        {{"s.yarte", "--precision", "float"}, "--precision: float not in {double,fast}"},
         {{"s.yarte", "--progress", "much"}, "--progress: much not in {auto,bar,json,none}"},
         {{"s.yarte", "--diagnostics", "xml"}, "--diagnostics: xml not in {text,json}"},
         {{"s.yarte", "--size", "640"}, "--size: expected WxH, like 640x480, got '640'"},
@@ -409,7 +455,8 @@ TEST_F(Yarte, StatsHoldEveryKeyAndTheSameRaysInEveryMode) {
         EXPECT_THAT(json,
                     StartsWith("{\n  \"version\": \"" + std::string(yarte::version) + "\",\n  \"scene\": \"" +
                                paper + "\",\n  \"width\": 64,\n  \"height\": 40,\n  \"mode\": \"" +
-                               mode.name + "\",\n  \"workers\": " + mode.workers + ",\n  \"parse_s\": "));
+                               mode.name + "\",\n  \"workers\": " + mode.workers +
+                               ",\n  \"precision\": \"double\",\n  \"parse_s\": "));
         for (const char* key : {"build_s", "trace_s", "write_s", "wall_s", "peak_rss_bytes"})
             EXPECT_THAT(json, testing::ContainsRegex("  \"" + std::string(key) + "\": [0-9.]+,\n"));
         EXPECT_THAT(json, HasSubstr("  \"profile\": {"));
