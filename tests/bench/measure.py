@@ -1,12 +1,14 @@
 """How ci/bench runs the programs that it compares."""
 import contextlib
 import json
+import math
 import os
 import pathlib
 import re
 import subprocess
 import tempfile
 import time
+from array import array
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BIN = ROOT / "build/release/bin"
@@ -25,12 +27,25 @@ def machine():
     return f"{CORES} cores of {model[1].strip() if model else 'an unknown processor'} ({vectors})"
 
 
-def run_yarte(scene, size, processes, folder):
+def run_yarte(scene, size, processes, folder, precision="double"):
     """Its statistics and its picture."""
     stats, picture = folder / "stats.json", folder / "picture.ppm"
     subprocess.run([BIN / "yarte", scene, "--size", size, "--processes", str(processes), "--progress", "none",
-                    "--stats", stats, "-o", picture], check=True, stderr=subprocess.DEVNULL)
+                    "--precision", precision, "--stats", stats, "-o", picture], check=True, stderr=subprocess.DEVNULL)
     return json.loads(stats.read_text()), picture.read_bytes()
+
+
+def error_of_fast(scene, size, folder):
+    """The largest and the root-mean-square difference of a picture in float from the one in double, in linear light, and the
+    share of pixels beyond 2/255."""
+    pictures = [folder / "fast.pfm", folder / "double.pfm"]
+    for picture in pictures:
+        subprocess.run([BIN / "yarte", scene, "--size", size, "--precision", picture.stem, "-o", picture], check=True,
+                       stderr=subprocess.DEVNULL)
+    fast, double = [array("f", picture.read_bytes().split(b"\n", 3)[3]) for picture in pictures]
+    errors = [abs(a - b) for a, b in zip(fast, double)]
+    worst = [max(pixel) for pixel in zip(*[iter(errors)] * 3)]
+    return max(errors), math.sqrt(sum(e * e for e in errors) / len(errors)), sum(e > 2 / 255 for e in worst) / len(worst)
 
 
 def run_povray(sdl, size, threads, folder):
