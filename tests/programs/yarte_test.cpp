@@ -470,9 +470,9 @@ TEST_F(Yarte, StatsHoldEveryKeyAndTheSameRaysInEveryMode) {
 }
 
 TEST_F(Yarte, TheProfileSharesOutTheTimeAndChangesNoPixel) {
-    render({paper, "--size", "300x200", "-o", "plain.pfm"});
+    render({paper, "--size", "480x360", "-o", "plain.pfm"});
     for (const char* mode : {"--processes=0", "--processes=2", "--threads=2"}) {
-        render({paper, "--size", "300x200", "-o", "a.pfm", "--stats", "s.json", mode});
+        render({paper, "--size", "480x360", "-o", "a.pfm", "--stats", "s.json", mode});
         EXPECT_EQ(bytes("a.pfm"), bytes("plain.pfm")) << mode;
         const nlohmann::json stats = nlohmann::json::parse(bytes("s.json")), profile = stats.at("profile");
         EXPECT_EQ(profile.at("build_s"), stats.at("build_s"));

@@ -132,13 +132,13 @@ TEST(Lanes, MeasuringChangesNothing) {
     Scene scene = test::mixedScene(100, 9);
     scene.camera.position = {1, 2, 25};
     scene.lights.push_back({{20, 30, 25}, {0.6, 0.5, 0.4}, {}});
-    const WorldPtr world = buildWorld(scene, {256, 192});
-    const Tile tile{0, 0, 256, 192};
+    const WorldPtr world = buildWorld(scene, {384, 288});
+    const Tile tile{0, 0, 384, 288};
     TraceTimes times;
     const Picture plain = render(*world, tile, renderTile), measured = [&] {
         Picture picture;
         picture.pixels.resize(plain.pixels.size());
-        renderTileTimed(*world, tile, picture.pixels.data(), 256, picture.counts, times);
+        renderTileTimed(*world, tile, picture.pixels.data(), 384, picture.counts, times);
         return picture;
     }();
     EXPECT_TRUE(sameBits(measured, plain));

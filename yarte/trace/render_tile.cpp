@@ -3,20 +3,9 @@
 #include "yarte/trace/lanes/lanes.h"
 #include "yarte/trace/whitted.h"
 
-#include <ctime>
+#include <chrono>
 
 namespace yarte {
-
-namespace {
-
-/// The time that this thread has had a core.
-double threadSeconds() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-} // namespace
 
 void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts) {
     trace::renderTileInLanes(world, tile, pixels, stride, counts, nullptr);
@@ -24,9 +13,10 @@ void renderTile(const World& world, Tile tile, Colour* pixels, std::size_t strid
 
 void renderTileTimed(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
                      TraceTimes& times) {
-    const double begin = threadSeconds();
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point begin = Clock::now();
     trace::renderTileInLanes(world, tile, pixels, stride, counts, &times);
-    times.seconds += threadSeconds() - begin;
+    times.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
 void renderTileReference(const World& world, Tile tile, Colour* pixels, std::size_t stride,

@@ -51,7 +51,7 @@ struct RayCounts {
 
 /// Where the time of tracing goes, from a sample of the blocks of pixels that are traced together.
 struct TraceTimes {
-    double seconds = 0; ///< of all tiles, measured; of a core, whoever else was given it in between
+    double seconds = 0; ///< of all tiles, measured
     // In the blocks of the sample, in ticks of some clock: all of them, and those of searching for what
     // camera rays meet, what shadow rays meet, what all other rays meet. What is left is shading.
     std::uint64_t sampled = 0, camera = 0, shadow = 0, secondary = 0;

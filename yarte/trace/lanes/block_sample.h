@@ -4,6 +4,7 @@
 #include "yarte/trace/render_tile.h"
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 
 #include <sys/resource.h>
@@ -36,18 +37,20 @@ private:
     std::uint64_t begin_;
 };
 
-/// Measures from its making to its end, and then adds to TraceTimes, unless another program had the core in
-/// between: one such time would outweigh the whole sample.
+/// Measures a block from its making to its end, if it is in the sample, and then adds to TraceTimes; unless
+/// another program was given the core meanwhile: one such time would outweigh all others.
 class BlockSample {
 public:
-    /// Without `times` nothing is measured.
-    explicit BlockSample(TraceTimes* times) : times_(times) {
-        if (times_) switches_ = involuntarySwitches(), begin_ = clockTicks();
+    /// `number` counts a worker's blocks. Without `times` nothing is measured.
+    BlockSample(std::size_t number, TraceTimes* times) {
+        // Of every so many blocks, a prime number, so that the sample is in step with no row of tiles. Not
+        // the first block, which meets cold memory.
+        if (times && number % 41 == 1) times_ = times, switches_ = switches(), begin_ = clockTicks();
     }
     ~BlockSample() {
         if (!times_) return;
         block_.sampled = clockTicks() - begin_;
-        if (involuntarySwitches() == switches_) *times_ += block_;
+        if (switches() == switches_) *times_ += block_;
     }
     BlockSample(const BlockSample&) = delete;
     BlockSample& operator=(const BlockSample&) = delete;
@@ -56,13 +59,14 @@ public:
     std::uint64_t* sum(std::uint64_t TraceTimes::*phase) { return times_ ? &(block_.*phase) : nullptr; }
 
 private:
-    static long involuntarySwitches() {
+    /// How often the thread had to give up its core.
+    static long switches() {
         rusage usage{};
         getrusage(RUSAGE_THREAD, &usage);
         return usage.ru_nivcsw;
     }
 
-    TraceTimes* times_;
+    TraceTimes* times_ = nullptr;
     TraceTimes block_;
     long switches_ = 0;
     std::uint64_t begin_ = 0;

@@ -39,9 +39,7 @@ public:
 
 private:
     void renderBlock(Tile block, Colour* pixels, std::size_t stride) {
-        // A prime number, so that the sample is in step with no row of tiles. Not the first, which meets cold
-        // memory.
-        BlockSample sample(blockCount_++ % 17 == 1 ? times_ : nullptr);
+        BlockSample sample(blockCount_++, times_);
         searchTicks_ = sample.sum(&TraceTimes::camera);
         shadowTicks_ = sample.sum(&TraceTimes::shadow);
         sums_.assign(static_cast<std::size_t>(block.width()) * static_cast<std::size_t>(block.height()),
