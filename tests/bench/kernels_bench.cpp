@@ -61,12 +61,14 @@ std::vector<Packet> packetsOf(const std::vector<Ray>& rays) {
 template <class Shape>
 void crossingsKernel(benchmark::State& state, const Shape& shape) {
     const std::vector<Packet> packets = packetsOf(bench::raysToShapes());
+    const RoundingPacket rounding(packets[0].rays, bench::faces().rounding); // in double the same for all
     const V infinity = set(Bounds::infinity);
     alignas(64) double enter[lanes], leave[lanes];
     for (auto _ : state)
         for (const Packet& packet : packets) {
             for (std::size_t at = 0; at < lanes; at += half) {
-                const CrossingLanes c = crossings(shape, Lines{packet.rays, packet.shear}, at, infinity);
+                const CrossingLanes c =
+                    crossings(shape, Lines{packet.rays, packet.shear, rounding}, at, infinity);
                 store(select(c.enters, c.enter, infinity), enter + at);
                 store(select(c.leaves, c.leave, infinity), leave + at);
             }
@@ -137,7 +139,7 @@ void registerKernels() {
                           [shape](benchmark::State& state) { crossingsKernel(state, shape); });
     });
     const FaceTable& table = bench::faces();
-    const TriangleShape triangle{table.vertices.data(), table.corners.data(), table.rounding};
+    const TriangleShape triangle{table.vertices.data(), table.corners.data()};
     RegisterBenchmark(named("triangle").c_str(),
                       [triangle](benchmark::State& state) { crossingsKernel(state, triangle); });
     RegisterBenchmark(named("shear of a packet").c_str(), shearKernel);
