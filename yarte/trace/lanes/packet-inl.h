@@ -75,9 +75,9 @@ private:
     }
 };
 
-/// How near to a surface the lines' starts lie on it, as far as their rounded coordinates tell. In float that
-/// is a part of the distance from the camera, which is at the origin: less than a hundredth of a pixel's
-/// width.
+/// A line that starts so near to a surface starts on it, as far as its rounded coordinates tell. In float that
+/// is a part of the distance from the camera, which is at the origin: less than a pixel's width (see
+/// suitsFloat in build_world.cpp).
 struct alignas(64) RoundingPacket {
     Scalar distance[lanes];
 
