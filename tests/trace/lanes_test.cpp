@@ -142,6 +142,13 @@ TEST(Lanes, MeasuringChangesNothing) {
         return picture;
     }();
     EXPECT_TRUE(sameBits(measured, plain));
+    // A busy machine may disturb all blocks of a sample; other blocks are measured the next time.
+    for (int again = 0; again < 100 && (times.camera == 0 || times.shadow == 0 || times.secondary == 0);
+         ++again) {
+        std::vector<Colour> pixels(plain.pixels.size());
+        RayCounts counts;
+        renderTileTimed(*world, tile, pixels.data(), 384, counts, times);
+    }
     EXPECT_GT(times.seconds, 0);
     EXPECT_GT(times.camera, 0U);
     EXPECT_GT(times.shadow, 0U);
