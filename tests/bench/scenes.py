@@ -3,7 +3,7 @@
 
 spheres      10,000 spheres, 10 lights, shadows everywhere
 generations  mirrors and glass, 10 generations
-mesh         a height field of 1,002,528 triangles
+million      a height field of 1,002,528 triangles
 """
 import math
 import pathlib
@@ -42,12 +42,12 @@ def generations(out, folder):
         out.write("sphere {:.6g} {:.6g} {:.6g} 0.45\n".format(*centre))
 
 
-def mesh(out, folder):
-    HeightField(708).write(folder / "mesh.pmf", smooth=False)
-    out.write(scene_of("mesh.pmf"))
+def million(out, folder):
+    HeightField(708).write(folder / "million.pmf", smooth=False)
+    out.write(scene_of("million.pmf"))
 
 
 if __name__ == "__main__":
     name, target = sys.argv[1], pathlib.Path(sys.argv[2])
     with open(target / f"{name}.yarte", "w") as scene:
-        {"spheres": spheres, "generations": generations, "mesh": mesh}[name](scene, target)
+        {"spheres": spheres, "generations": generations, "million": million}[name](scene, target)
