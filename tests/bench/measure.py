@@ -14,6 +14,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 BIN = ROOT / "build/release/bin"
 READ_ALONE = ROOT / "build/release/tests/read_alone"
 KERNELS_BENCH = ROOT / "build/release/tests/kernels_bench"
+TILE_COSTS = ROOT / "build/release/tests/tile_costs"
 EMBREE_BENCH = ROOT / "build/release/tests/embree_bench"
 OUT = ROOT / "build/bench"
 CORES = len(os.sched_getaffinity(0))
