@@ -38,7 +38,7 @@ std::vector<JournalItem> checkpointItems(const Options& options, const Source& s
         items.push_back({fmt::format("the mesh {}", inQuotes(mesh.path)), hashOf(mesh)});
     items.push_back({"the image's size", fmt::format("{}x{}", size.width, size.height)});
     items.push_back({"--region", fmt::format("{},{},{},{}", region.x0, region.y0, region.x1, region.y1)});
-    items.push_back({"--tile", fmt::to_string(options.tileSide)});
+    items.push_back({"--tile", fmt::to_string(*options.tileSide)});
     items.push_back({"--precision", options.precision == Precision::inDouble ? "double" : "fast"});
     items.push_back({"--samples", fmt::to_string(options.samples)});
     return items;

@@ -7,6 +7,7 @@
 #include "yarte/checkpoint.h"
 #include "yarte/engine/memory_limit.h"
 #include "yarte/engine/render.h"
+#include "yarte/engine/tile_list.h"
 #include "yarte/interrupt.h"
 #include "yarte/lang/pmf.h"
 #include "yarte/lang/scene_reader.h"
@@ -166,7 +167,7 @@ std::optional<Journal> Run::openJournal(const Scene& scene, Resolution size, Til
     const std::filesystem::path& file = *options_.checkpoint;
     const std::vector<JournalItem> items =
         checkpointItems(options_, sources_[SourceId{0}], scene, size, region);
-    const TileList tiles(region, options_.tileSide);
+    const TileList tiles(region, *options_.tileSide);
     return orCannot("use the checkpoint", [&] {
         if (options_.partial) return Journal::look(file, items, tiles);
         std::error_code error;
@@ -177,8 +178,8 @@ std::optional<Journal> Run::openJournal(const Scene& scene, Resolution size, Til
 }
 
 Rendering Run::readJournal(Journal& journal, Tile region) {
-    Rendering result{Framebuffer(region, options_.tileSide), {}, 0, 0};
-    const TileList tiles(region, options_.tileSide);
+    Rendering result{Framebuffer(region, *options_.tileSide), {}, 0, 0};
+    const TileList tiles(region, *options_.tileSide);
     result.damagedRecords =
         journal.readTiles([&](std::size_t tile, const RayCounts& rays, const Colour* pixels) {
             result.framebuffer.put(tiles[tile], pixels);
@@ -270,10 +271,14 @@ int Run::operator()() {
     if (const auto why = imageTooLarge(region.width(), region.height(), memoryLimit()))
         return fail(couldNotRun, *why);
 
+    // A checkpoint's tiles do not depend on how many work, which may be others when it is resumed.
+    if (!options_.tileSide)
+        options_.tileSide = suitableTileSide(region, options_.checkpoint ? 1 : options_.workers);
+
     const DeferredInterrupts deferred; // from here on there are workers to end and files to finish
     const Resolution rays{resolution.width * options_.samples, resolution.height * options_.samples};
     std::optional<Journal> journal = openJournal(*scene, resolution, region);
-    const RenderOptions options{region, options_.tileSide, options_.mode, options_.workers,
+    const RenderOptions options{region, *options_.tileSide, options_.mode, options_.workers,
                                 journal ? &*journal : nullptr};
     const WorldPtr world = options_.partial ? nullptr : build(*scene, rays);
     std::optional<Rendering> rendering = world ? trace(*world, options) : readJournal(*journal, region);

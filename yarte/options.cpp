@@ -98,9 +98,9 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
         ->check(wholeNumberFrom(1))
         ->excludes(processes);
     app.add_option("--tile", options.tileSide,
-                   "Side in pixels of the tiles dealt to workers; changes no pixel")
+                   "Side in pixels of the tiles dealt to workers; changes no pixel. Default: 32, or 16 for "
+                   "many workers")
         ->type_name("N")
-        ->capture_default_str()
         ->check(wholeNumberFrom(1));
     app.add_option("--samples", options.samples, "Rays a pixel, N x N: antialiasing")
         ->type_name("N")

@@ -22,9 +22,9 @@ struct Options {
     Precision precision = Precision::inDouble;
     RenderMode mode = RenderMode::processes;
     int workers = 1;
-    int tileSide = 32;
-    int samples = 1; ///< rays along a pixel's side
-    ImageEncoding encoding; ///< all but the gamma, which is the scene's
+    std::optional<int> tileSide; ///< nothing: whatever suits
+    int samples = 1;             ///< rays along a pixel's side
+    ImageEncoding encoding;      ///< all but the gamma, which is the scene's
     std::vector<std::filesystem::path> allowedFolders;
     ProgressStyle progress = ProgressStyle::automatic;
     std::optional<std::filesystem::path> stats;

@@ -53,5 +53,13 @@ TEST(TileList, LargestRegionAndLargestSideDoNotOverflow) {
     EXPECT_EQ(many[many.size() - 1], (Tile{2047 << 20, 2047 << 20, INT_MAX, INT_MAX}));
 }
 
+TEST(TileList, TilesAreSmallWhereManyWorkersWouldGetFewLargeOnes) {
+    const Tile image{0, 0, 1024, 1024}; // 1024 tiles of 32
+    for (const int workers : {0, 1, 2, 64}) EXPECT_EQ(suitableTileSide(image, workers), 32) << workers;
+    for (const int workers : {65, 256, 100000}) EXPECT_EQ(suitableTileSide(image, workers), 16) << workers;
+    EXPECT_EQ(suitableTileSide({7, 7, 8, 8}, 1), 32) << "nobody waits for another";
+    EXPECT_EQ(suitableTileSide({7, 7, 8, 8}, 2), 16);
+}
+
 } // namespace
 } // namespace yarte

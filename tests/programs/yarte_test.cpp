@@ -427,7 +427,8 @@ TEST_F(Yarte, ProgressIsSilentUnlessAskedFor) {
 
 TEST_F(Yarte, ProgressForMachinesEndsWithTheTotal) {
     for (const char* mode : {"--processes=0", "--processes=2", "--threads=2"}) {
-        std::istringstream lines(yarte({paper, "--size", "64x64", "--progress", "json", mode}).err);
+        std::istringstream lines(
+            yarte({paper, "--size", "64x64", "--tile", "32", "--progress", "json", mode}).err);
         std::string line, last;
         while (std::getline(lines, line)) {
             EXPECT_THAT(

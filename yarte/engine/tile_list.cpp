@@ -24,4 +24,10 @@ Tile TileList::operator[](std::size_t index) const {
     return {x, y, x + std::min(side_, region_.x1 - x), y + std::min(side_, region_.y1 - y)};
 }
 
+int suitableTileSide(Tile region, int workers) {
+    constexpr int large = 32, small = 16;
+    const bool areEnough = TileList(region, large).size() >= 16 * static_cast<std::size_t>(workers);
+    return workers == 1 || areEnough ? large : small;
+}
+
 } // namespace yarte

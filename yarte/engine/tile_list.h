@@ -23,4 +23,9 @@ private:
     std::size_t columns_, rows_;
 };
 
+/// The side of tiles that suits so many workers (>= 0) best: 32 pixels, whose dealing costs little, or 16
+/// where each worker would get fewer than 16 of the large ones, and too many wait for the last. Measured by
+/// ci/bench balance.
+int suitableTileSide(Tile region, int workers);
+
 } // namespace yarte
