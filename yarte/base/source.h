@@ -53,6 +53,8 @@ class Sources {
 public:
     SourceId add(std::string name, std::string text);
     const Source& operator[](SourceId id) const { return sources_[id.index]; }
+    /// Gives back the memory of a text about which nothing is left to be said; its name stays.
+    void release(SourceId id) { sources_[id.index] = Source(sources_[id.index].name(), {}); }
 
 private:
     std::deque<Source> sources_;

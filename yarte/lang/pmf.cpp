@@ -1,5 +1,6 @@
 #include "yarte/lang/pmf.h"
 
+#include "yarte/base/huge_pages.h"
 #include "yarte/base/text.h"
 #include "yarte/lang/pmf_scanner.h"
 #include "yarte/scene/check.h"
@@ -56,7 +57,7 @@ private:
 
     /// `count` times three numbers, on lines as one likes.
     bool readVectors(const char* items, std::size_t count, std::vector<Vec3>& vectors) {
-        vectors.reserve(count);
+        reserveWhole(vectors, count);
         for (std::size_t i = 0; i < count; ++i) {
             Vec3& v = vectors.emplace_back();
             for (double* component : {&v.x, &v.y, &v.z}) {
@@ -83,11 +84,11 @@ private:
     }
 
     bool readFaces(std::size_t count) {
-        mesh_.faceStarts.reserve(count + 1);
-        mesh_.corners.reserve(3 * count);
+        reserveWhole(mesh_.faceStarts, count + 1);
+        reserveWhole(mesh_.corners, 3 * count);
+        faces_ = scanner_;
         for (std::size_t f = 0; f < count && !diagnostics_.full(); ++f) {
             if (!beginLine("faces", f, count)) return false;
-            faceOffsets_.push_back(scanner_.offset());
             readIndices(mesh_.vertices.size(), mesh_.corners);
             mesh_.faceStarts.push_back(static_cast<std::uint32_t>(mesh_.corners.size()));
         }
@@ -110,14 +111,13 @@ private:
 
     /// All that the line has, each below `limit`.
     void readIndices(std::size_t limit, std::vector<std::uint32_t>& indices) {
-        for (std::string_view word = scanner_.nextWordOnLine(); !word.empty();
-             word = scanner_.nextWordOnLine()) {
-            std::uint32_t index = 0;
-            if (!PmfScanner::toIndex(word, index) || index >= limit)
-                error("pmf.bad-index",
-                      fmt::format("an index must be a whole number below {}, got {}", limit, inQuotes(word)),
-                      spanOf(word));
-            indices.push_back(index);
+        while (scanner_.moreOnLine()) {
+            std::uint32_t& index = indices.emplace_back();
+            if (scanner_.nextIndex(limit, index)) continue;
+            const std::string_view word = scanner_.nextWord();
+            error("pmf.bad-index",
+                  fmt::format("an index must be a whole number below {}, got {}", limit, inQuotes(word)),
+                  spanOf(word));
             if (diagnostics_.full()) return;
         }
     }
@@ -136,7 +136,7 @@ private:
                          fmt::format("'face_normals' must follow the normals, got {}", inQuotes(word)),
                          spanOf(word));
         if (!endLine("'face_normals'")) return false;
-        mesh_.cornerNormals.reserve(mesh_.corners.size());
+        reserveWhole(mesh_.cornerNormals, mesh_.corners.size());
         for (std::size_t f = 0; f < mesh_.faceCount() && !diagnostics_.full(); ++f) {
             if (!beginLine("face_normals", f, mesh_.faceCount())) return false;
             const std::size_t offset = scanner_.offset();
@@ -176,17 +176,27 @@ private:
     }
     Span faceSpan(const Problem& problem) const {
         if (problem.argument < 0) return {id_, 0, 0};
-        const std::size_t begin = faceOffsets_[static_cast<std::size_t>(problem.argument)];
+        const std::size_t begin = offsetOfFace(problem.argument);
         return {id_, begin, scanner_.endOfLine(begin)};
+    }
+    /// Of its line: looked for when there is something to say about it, not kept of millions of them.
+    std::size_t offsetOfFace(int face) const {
+        PmfScanner scanner = faces_;
+        scanner.skipSpace();
+        for (int before = 0; before < face; ++before) {
+            while (scanner.moreOnLine()) scanner.nextWord();
+            scanner.skipSpace();
+        }
+        return scanner.offset();
     }
 
     SourceId id_;
     PmfScanner scanner_;
+    PmfScanner faces_ = scanner_; ///< before the first face
     std::size_t textSize_;
     Diagnostics& diagnostics_;
     bool failed_ = false;
     MeshData mesh_;
-    std::vector<std::size_t> faceOffsets_; ///< of the faces' lines
 };
 
 } // namespace
@@ -209,7 +219,10 @@ std::optional<MeshData> parsePmf(SourceId id, const Sources& sources, Diagnostic
 std::optional<MeshData> readPmf(const std::filesystem::path& file, const ReadableFolders&, Sources& sources,
                                 Diagnostics& diagnostics) {
     try {
-        return parsePmf(sources.add(file.string(), readFile(file)), sources, diagnostics);
+        const SourceId id = sources.add(file.string(), readFile(file));
+        std::optional<MeshData> mesh = parsePmf(id, sources, diagnostics);
+        if (mesh) sources.release(id);
+        return mesh;
     } catch (const FileError& e) {
         diagnostics.error("pmf.unreadable", fmt::format("cannot read the file: {}", e.reason())).file =
             file.string();

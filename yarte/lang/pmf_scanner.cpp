@@ -40,9 +40,22 @@ std::string_view PmfScanner::nextWord() {
     return wordHere();
 }
 
-std::string_view PmfScanner::nextWordOnLine() {
+bool PmfScanner::moreOnLine() {
     while (at_ != end_ && *at_ != '\n' && isSpace(*at_)) ++at_;
+    return at_ != end_ && !endsWord(*at_);
+}
+
+std::string_view PmfScanner::nextWordOnLine() {
+    moreOnLine();
     return wordHere();
+}
+
+bool PmfScanner::nextIndex(std::size_t limit, std::uint32_t& index) {
+    skipSpace();
+    const auto [end, error] = std::from_chars(at_, end_, index);
+    if (error != std::errc{} || index >= limit || (end != end_ && !endsWord(*end))) return false;
+    at_ = end;
+    return true;
 }
 
 bool PmfScanner::nextNumber(double& value) {

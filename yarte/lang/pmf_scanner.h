@@ -25,6 +25,10 @@ public:
     std::string_view nextWordOnLine();
     /// False, standing at the word, if the next one is not a finite number.
     bool nextNumber(double& value);
+    /// Over white space; true if a word follows before the line ends.
+    bool moreOnLine();
+    /// False, standing at the word, if the next one is not a whole number below `limit`.
+    bool nextIndex(std::size_t limit, std::uint32_t& index);
     /// Goes past the next word if it is `word`.
     bool skipWord(std::string_view word);
 
