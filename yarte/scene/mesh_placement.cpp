@@ -4,11 +4,14 @@
 
 namespace yarte {
 
+MeshPlacement::MeshPlacement(const Mesh& mesh)
+    : scale_(mesh.scale), axes_(resolveReferential(mesh.axes)), translation_(mesh.translation) {}
+
 std::vector<Vec3> placedVertices(const MeshData& data, const Mesh& mesh) {
-    const Frame axes = resolveReferential(mesh.axes);
+    const MeshPlacement place(mesh);
     std::vector<Vec3> placed;
     placed.reserve(data.vertices.size());
-    for (const Vec3 v : data.vertices) placed.push_back(axes.toWorld(mesh.scale * v) + mesh.translation);
+    for (const Vec3 v : data.vertices) placed.push_back(place(v));
     return placed;
 }
 

@@ -113,10 +113,9 @@ private:
         const MeshData& data = scene_.meshes[m.mesh.index];
         const auto firstVertex = static_cast<std::uint32_t>(world_.faces.vertices.size());
         const auto firstNormal = static_cast<std::uint32_t>(world_.faces.normals.size());
-        const std::vector<Vec3> placed = placedVertices(data, m);
-        world_.faces.vertices.insert(world_.faces.vertices.end(), placed.begin(), placed.end());
-        const Frame axes = resolveReferential(m.axes);
-        for (const Vec3 n : data.normals) world_.faces.normals.push_back(normalised(axes.toWorld(n)));
+        const MeshPlacement place(m);
+        for (const Vec3 v : data.vertices) world_.faces.vertices.push_back(place(v));
+        for (const Vec3 n : data.normals) world_.faces.normals.push_back(normalised(place.axes().toWorld(n)));
         for (std::size_t f = 0; f < data.faceCount(); ++f)
             addFace(data.face(f), firstVertex,
                     data.isSmooth() ? data.faceNormals(f) : std::span<const std::uint32_t>{}, firstNormal);

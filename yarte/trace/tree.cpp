@@ -1,109 +1,98 @@
 #include "yarte/trace/tree.h"
 
 #include "yarte/base/huge_pages.h"
+#include "yarte/trace/tree_division.h"
 
-#include <embree3/rtcore.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <new>
-#include <stdexcept>
+#include <mutex>
 
 namespace yarte::trace {
 namespace {
 
-constexpr unsigned maxDepth = 56;
-constexpr unsigned maxLeafSize = 4;
+constexpr int maxDepth = 56;
+/// Subtrees of no more primitives are built by one thread.
+constexpr std::size_t pieceSize = 1 << 14;
 
-/// The tree as Embree's callbacks make it, in Embree's arena; flattened afterwards. A child is a node or a
-/// leaf; to the builder both are pointers.
-struct BuiltBox {
-    float low[3], high[3];
-};
-struct alignas(64) BuiltNode {
-    BuiltBox boxes[2];
-    void* children[2];
-};
+TreeNode nodeOf(const FloatBox& box, std::size_t first, std::size_t count) {
+    return {{box.low[0], box.low[1], box.low[2]},
+            static_cast<std::uint32_t>(first),
+            {box.high[0], box.high[1], box.high[2]},
+            static_cast<std::uint32_t>(count)};
+}
 
-/// A leaf is no pointer to anything, but two numbers in one: nothing needs to be allocated for it.
-struct BuiltLeaf {
-    std::uint32_t first, count; ///< of Building::order
+/// Divides and divides again, large ranges by several threads.
+class Builder {
+public:
+    /// `nodes` must have room for all that there can be, so that none moves; `order` gets the elements, leaf
+    /// after leaf.
+    Builder(std::vector<TreeNode>& nodes, std::vector<std::uint32_t>& order) : nodes_(nodes), order_(order) {}
 
-    void* asChild() const {
-        return reinterpret_cast<void*>(std::uintptr_t{first} << 8 | std::uintptr_t{count} << 1 | 1);
+    /// The subtree's root becomes nodes[at]; what is below it comes behind the nodes there are. Which of two
+    /// threads is first there does not matter to those who search the tree.
+    void build(std::size_t at, const BuildRange& range, int levels) {
+        const auto parts = range.primitives.size() > pieceSize ? divide(range, levels) : std::nullopt;
+        if (parts) {
+            const std::size_t left = appendPair();
+            nodes_[at] = nodeOf(range.box, left, 0);
+            tbb::parallel_invoke([&] { build(left, parts->first, levels - 1); },
+                                 [&] { build(left + 1, parts->second, levels - 1); });
+            return;
+        }
+        std::vector<TreeNode> piece;
+        piece.reserve(2 * range.primitives.size());
+        piece.resize(1);
+        buildPiece(0, range, levels, piece);
+        const std::lock_guard lock(appending_);
+        for (TreeNode& node : piece) // piece[1] is going to be the next
+            if (node.count == 0) node.first += static_cast<std::uint32_t>(nodes_.size()) - 1;
+        nodes_[at] = piece[0];
+        nodes_.insert(nodes_.end(), piece.begin() + 1, piece.end());
     }
-    static bool is(const void* child) { return (reinterpret_cast<std::uintptr_t>(child) & 1) != 0; }
-    static BuiltLeaf of(const void* child) {
-        const auto bits = reinterpret_cast<std::uintptr_t>(child);
-        return {static_cast<std::uint32_t>(bits >> 8), static_cast<std::uint32_t>(bits >> 1 & 0x7f)};
+
+private:
+    std::size_t appendPair() {
+        const std::lock_guard lock(appending_);
+        nodes_.resize(nodes_.size() + 2);
+        return nodes_.size() - 2;
     }
-};
-static_assert(sizeof(void*) == 8 && maxLeafSize < 128);
 
-/// What the builder's callbacks know. It sorts the primitives where they are, so that leaves are ranges.
-struct Building {
-    const RTCBuildPrimitive* primitives;
-    std::uint32_t* order; ///< the primitives' numbers, leaf after leaf
-};
-
-void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
-    return new (rtcThreadLocalAlloc(allocator, sizeof(BuiltNode), alignof(BuiltNode))) BuiltNode;
-}
-
-void setChildren(void* node, void** children, unsigned count, void*) {
-    std::copy_n(children, count, static_cast<BuiltNode*>(node)->children);
-}
-
-void setBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
-    for (unsigned i = 0; i < count; ++i) {
-        const RTCBounds& b = *bounds[i];
-        static_cast<BuiltNode*>(node)->boxes[i] = {{b.lower_x, b.lower_y, b.lower_z},
-                                                   {b.upper_x, b.upper_y, b.upper_z}};
+    void buildPiece(std::size_t at, const BuildRange& range, int levels, std::vector<TreeNode>& piece) const {
+        const auto parts = divide(range, levels);
+        if (!parts) {
+            piece[at] = nodeOf(range.box, range.firstEntry, range.entries);
+            return list(range);
+        }
+        const std::size_t left = piece.size();
+        piece[at] = nodeOf(range.box, left, 0);
+        piece.resize(left + 2);
+        if (parts->first.entries < parts->second.entries) {
+            buildPiece(left, parts->second, levels - 1, piece);
+            buildPiece(left + 1, parts->first, levels - 1, piece);
+            return;
+        }
+        buildPiece(left, parts->first, levels - 1, piece);
+        buildPiece(left + 1, parts->second, levels - 1, piece);
     }
-}
 
-void* createLeaf(RTCThreadLocalAllocator, const RTCBuildPrimitive* primitives, std::size_t count,
-                 void* user) {
-    const Building& building = *static_cast<const Building*>(user);
-    const std::ptrdiff_t first = primitives - building.primitives;
-    std::uint32_t* const order = building.order + first;
-    for (std::size_t i = 0; i < count; ++i) order[i] = primitives[i].primID;
-    std::sort(order, order + count);
-    return BuiltLeaf{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)}.asChild();
-}
+    /// The elements of a leaf.
+    void list(const BuildRange& range) const {
+        const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(range.firstEntry);
+        auto end = begin;
+        for (const BuildPrimitive& primitive : range.primitives)
+            for (std::uint32_t i = 0; i < primitive.count; ++i) *end++ = primitive.element + i;
+        std::sort(begin, end);
+    }
 
-std::size_t countNodes(const void* built) {
-    if (BuiltLeaf::is(built)) return 1;
-    const auto& node = *static_cast<const BuiltNode*>(built);
-    return 1 + countNodes(node.children[0]) + countNodes(node.children[1]);
-}
+    std::vector<TreeNode>& nodes_;
+    std::vector<std::uint32_t>& order_;
+    std::mutex appending_;
+};
 
 /// One step beyond the nearest float: outside whatever rounding happened on the way.
-float roundDown(double v) {
-    return std::nextafter(static_cast<float>(v), -std::numeric_limits<float>::infinity());
-}
-float roundUp(double v) {
-    return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
-}
-
-/// Writes `built`, with the given box, to nodes[at], and what is below it behind the nodes there are.
-void flatten(const void* built, const BuiltBox& box, std::size_t at, std::vector<TreeNode>& nodes) {
-    TreeNode node{{box.low[0], box.low[1], box.low[2]}, 0, {box.high[0], box.high[1], box.high[2]}, 0};
-    if (BuiltLeaf::is(built)) {
-        const BuiltLeaf leaf = BuiltLeaf::of(built);
-        node.first = leaf.first, node.count = leaf.count;
-        nodes[at] = node;
-        return;
-    }
-    const std::size_t left = nodes.size();
-    node.first = static_cast<std::uint32_t>(left);
-    nodes[at] = node;
-    nodes.resize(left + 2);
-    const auto& children = *static_cast<const BuiltNode*>(built);
-    for (std::size_t i = 0; i < 2; ++i) flatten(children.children[i], children.boxes[i], left + i, nodes);
-}
+float roundDown(double v) { return std::nextafter(static_cast<float>(v), -FloatBox::infinity); }
+float roundUp(double v) { return std::nextafter(static_cast<float>(v), FloatBox::infinity); }
 
 } // namespace
 
@@ -115,50 +104,25 @@ Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(
     tree.radius = length(all.high - all.low) / 2;
     tree.margin = boxMargin * tree.radius + room;
     const Vec3 widen{tree.margin, tree.margin, tree.margin};
-    const auto boxOf = [&](const Bounds& b, std::uint32_t id) -> RTCBuildPrimitive {
-        const Vec3 low = b.low - tree.centre - widen, high = b.high - tree.centre + widen;
-        return {roundDown(low.x), roundDown(low.y), roundDown(low.z), 0,
-                roundUp(high.x),  roundUp(high.y),  roundUp(high.z),  id};
-    };
-    std::vector<RTCBuildPrimitive> primitives;
+    std::vector<BuildPrimitive> primitives;
     reserveWhole(primitives, count);
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (const Bounds b = boundsOf({i}); !b.isEmpty()) primitives.push_back(boxOf(b, i));
-    const RTCBuildPrimitive root = boxOf(all, 0);
-    const BuiltBox whole{{root.lower_x, root.lower_y, root.lower_z},
-                         {root.upper_x, root.upper_y, root.upper_z}};
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Bounds bounds = boundsOf({i});
+        if (bounds.isEmpty()) continue;
+        const Vec3 low = bounds.low - tree.centre - widen, high = bounds.high - tree.centre + widen;
+        const BuildPrimitive primitive{{{roundDown(low.x), roundDown(low.y), roundDown(low.z)},
+                                        {roundUp(high.x), roundUp(high.y), roundUp(high.z)}},
+                                       i};
+        if (primitives.empty() || !unite(primitives.back(), primitive)) primitives.push_back(primitive);
+    }
+    const BuildRange range(primitives, 0);
     std::vector<std::uint32_t> order;
-    reserveWhole(order, primitives.size());
-    order.resize(primitives.size());
-    Building building{primitives.data(), order.data()};
-
-    const std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device(rtcNewDevice("hugepages=1"),
-                                                                           rtcReleaseDevice);
-    if (!device) throw std::runtime_error("cannot start the tree builder");
-    std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)> bvh(rtcNewBVH(device.get()), rtcReleaseBVH);
-
-    RTCBuildArguments arguments = rtcDefaultBuildArguments();
-    arguments.buildQuality = RTC_BUILD_QUALITY_MEDIUM;
-    arguments.maxBranchingFactor = 2;
-    arguments.maxDepth = maxDepth;
-    arguments.maxLeafSize = maxLeafSize;
-    arguments.bvh = bvh.get();
-    arguments.primitives = primitives.data();
-    arguments.primitiveCount = arguments.primitiveArrayCapacity = primitives.size();
-    arguments.createNode = createNode;
-    arguments.setNodeChildren = setChildren;
-    arguments.setNodeBounds = setBounds;
-    arguments.createLeaf = createLeaf;
-    arguments.userPtr = &building;
-    const void* built = rtcBuildBVH(&arguments);
-    if (!built) throw std::bad_alloc();
-
-    // What is done with is released at once: a large tree is most of what memory must hold.
-    primitives = std::vector<RTCBuildPrimitive>();
-    reserveWhole(tree.nodes, countNodes(built));
+    reserveWhole(order, range.entries);
+    order.resize(range.entries);
+    reserveWhole(tree.nodes, 2 * primitives.size()); // at most; what is not needed is never touched
     tree.nodes.resize(1);
-    flatten(built, whole, 0, tree.nodes);
-    bvh.reset();
+    Builder(tree.nodes, order).build(0, range, maxDepth);
+    primitives = std::vector<BuildPrimitive>(); // a large tree is most of what memory must hold
     reserveWhole(tree.entries, order.size());
     for (const std::uint32_t element : order) tree.entries.push_back({{element}});
     return tree;

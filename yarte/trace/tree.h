@@ -46,9 +46,8 @@ inline constexpr std::size_t minElementsForTree = 12;
 /// rounding moves a line by less than 10 * 2^-24 radii, and for the rounding of the shapes' own arithmetic.
 inline constexpr double boxMargin = 2e-6;
 
-/// By surface area, with Embree's builder [Wald, Woop, Benthin, Johnson, Ernst, "Embree", SIGGRAPH 2014].
 /// Over the elements of numbers below `count`, but for those whose bounds are empty; `all` holds all of them.
-/// The boxes are widened by `room`, too.
+/// By surface area; see tree_division.h. The boxes are widened by `room`, too.
 Tree buildTree(const Bounds& all, std::size_t count, const std::function<Bounds(ElementId)>& boundsOf,
                double room = 0);
 
