@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t maxLeafSize = 4;
 constexpr int maxSlices = 32;
-constexpr float traversalCost = 1; ///< of a node, in tests of elements
+/// Of a node, in tests of elements. Measured: 1 makes trees of spheres and cones 1 to 5 % slower, 2 a seventh.
+constexpr float traversalCost = 0.6f;
 
 /// Equal slices of a range along each axis: in which of them does a primitive's centre lie?
 class Slices {
