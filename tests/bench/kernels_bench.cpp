@@ -52,7 +52,7 @@ std::vector<Packet> packetsOf(const std::vector<Ray>& rays) {
         packet.from[lane] = laneOf(ray.from.element.index),
         packet.inside[lane] = ray.from.side == Side::inside ? 1 : 0;
     }
-    for (Packet& packet : packets) packet.shear.shearAlong(packet.rays);
+    for (Packet& packet : packets) packet.shear.shearAlong(packet.rays, bench::faces());
     return packets;
 }
 
@@ -82,7 +82,7 @@ void shearKernel(benchmark::State& state) {
     ShearPacket shear;
     for (auto _ : state)
         for (const Packet& packet : packets) {
-            shear.shearAlong(packet.rays);
+            shear.shearAlong(packet.rays, bench::faces());
             benchmark::DoNotOptimize(shear);
         }
     bench::countRays(state, packets.size() * lanes);

@@ -65,9 +65,8 @@ Decision signOf(const Surd<N>& s, const char* what) {
         difference.sign = p.sign;
         return p.sign == q.sign ? stronger(p, difference) : difference;
     }
-    if (p.sign == q.sign) return stronger(p, difference);
-    difference.sign = difference.sign < 0 ? q.sign : 0;
-    return difference;
+    difference.sign = difference.sign < 0 ? q.sign : p.sign == q.sign ? p.sign : 0;
+    return p.sign == q.sign ? stronger(p, difference) : difference;
 }
 
 inline Uncertain valueOf(const Surd<Uncertain>& s) {

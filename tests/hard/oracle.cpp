@@ -61,6 +61,13 @@ Line<N> lineOf(Inputs<N>& inputs, const InputRay& ray) {
     return line;
 }
 
+Vec<Uncertain> unit(const Vec<Uncertain>& v) { return v * inverse(sqrt(dot(v, v))); }
+
+double sensitivity(const Inputs<Uncertain>& inputs, const Vec<Uncertain>& v) {
+    const double x = inputs.sensitivity(v.x), y = inputs.sensitivity(v.y), z = inputs.sensitivity(v.z);
+    return std::sqrt(x * x + y * y + z * z);
+}
+
 } // namespace
 
 Truth truthOf(const Scene& scene, const InputRay& ray) {
@@ -73,16 +80,15 @@ Truth truthOf(const Scene& scene, const InputRay& ray) {
     truth.isDecidable = weakest.isCertain();
     if (!nearest) return truth;
     const Uncertain t = valueOf(nearest->t);
-    Vec<Uncertain> n = nearest->normal(t);
-    n = n * inverse(sqrt(dot(n, n)));
-    const double nx = inputs.sensitivity(n.x), ny = inputs.sensitivity(n.y), nz = inputs.sensitivity(n.z);
+    const Vec<Uncertain> n = unit(nearest->normal(t));
+    const Vec<Uncertain> there = unit(nearest->normal(inputs.number(t.value())));
     truth.hit = TrueHit{nearest->body,
                         nearest->face,
                         nearest->entering,
                         t.value(),
                         {n.x.value(), n.y.value(), n.z.value()},
                         inputs.sensitivity(t) / std::abs(static_cast<double>(t.value())),
-                        std::sqrt(nx * nx + ny * ny + nz * nz)};
+                        sensitivity(inputs, n) + sensitivity(inputs, there)};
     return truth;
 }
 

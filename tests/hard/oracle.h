@@ -23,7 +23,8 @@ struct TrueHit {
     Real t;
     Vec<Real> normal; ///< unit, outward
     /// How sensitive t and the normal are to relative changes of the inputs: the sums of |dt/dx x| / |t| and
-    /// of |dn/dx x|.
+    /// of |dn/dx x|. The normal is that of a point that is known through t and rounded itself, so to its sum
+    /// that for a given t is added, t being one of the inputs.
     double tCondition = 0, normalCondition = 0;
 };
 

@@ -35,6 +35,16 @@ TEST(Oracle, SphereInClosedForm) {
     EXPECT_FALSE(truthOf(scene, {{0, 0, 10}, {0, 0, 1}}).hit);
 }
 
+TEST(Oracle, FromInsideASphereIsLeftOnce) {
+    for (const double x : {-0.9, -0.5, 0.0, 0.5, 0.9})
+        for (const double side : {-1, 1}) {
+            const Truth truth = truthOf(sceneOf(Sphere{{0, 0, 0}, 1}), {{x, 0, 0}, {side, 0, 0}});
+            ASSERT_TRUE(truth.hit && truth.isDecidable);
+            EXPECT_TRUE(areEqual(truth.hit->t, 1 - side * Real(x)));
+            EXPECT_FALSE(truth.hit->entering);
+        }
+}
+
 TEST(Oracle, TCountsTheDirectionAsItIs) {
     const Truth truth = truthOf(sceneOf(Sphere{{0, 0, 0}, 1}), {{0, 0, 5}, {0, 0, -2}});
     ASSERT_TRUE(truth.hit);

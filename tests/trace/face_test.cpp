@@ -100,12 +100,15 @@ TEST(Face, LShapeIsInsideWhereTheLIs) {
     EXPECT_EQ(planeOf(table, table.faces[0]).normal, (Vec3{0, 0, 1}));
 }
 
-TEST(Face, OrientationIsExactWhereRoundingDecides) {
-    // (1 + e)(1 - e) = 1 - e^2 rounds to 1: only the rounding errors tell it from 1 * 1.
-    const double e = 0x1p-40;
-    EXPECT_EQ(orientation({1 + e, 1}, {1, 1 - e}), -1);
-    EXPECT_EQ(orientation({1, 1 + e}, {1 - e, 1}), 1);
-    EXPECT_EQ(orientation({3, 6}, {1, 2}), 0);
+TEST(Face, RaysAHairBesideAnEdgeAreToldApart) {
+    // The edge from (0, 0) to (1, 1 + e), and points on its one side or the other by less than products in
+    // doubles can tell: (1 + e)(1 - e) = 1 - e^2.
+    const double e = 0x1p-30;
+    const FaceTable table = tableOf({{0, 0, 0}, {1, 1 + e, 0}, {0, 1, 0}}, {{0, 1, 2}});
+    const auto isHit = [&](double x, double y) { return hits(table, {{x, y, 1}, {0, 0, -1}, {}}) == 1; };
+    EXPECT_TRUE(isHit((1 - e) / 2, 0.5));                             // x (1 + e) = (1 - e^2) / 2 < y
+    EXPECT_FALSE(isHit(std::nextafter((1 - e) / 2, 1) + e * e, 0.5)); // above it by an ulp
+    EXPECT_TRUE(isHit(0.5 - 0x1p-31 + 0x1p-60 - 0x1p-53, 0.5));
 }
 
 TEST(Face, SmoothNormalIsBarycentric) {

@@ -1,6 +1,7 @@
 // Frame: a right-handed orthonormal set of axes (the paper's "referential").
 #pragma once
 
+#include "yarte/base/twofold.h"
 #include "yarte/base/vec3.h"
 
 namespace yarte {
@@ -16,9 +17,9 @@ struct Frame {
     constexpr Vec3 toWorld(Vec3 v) const { return x * v.x + y * v.y + z * v.z; }
 };
 
-/// The rotation closest (least squares) to the axes x, y, z: one step beyond the versors' own
-/// normalisation, by Newton's iteration for the polar factor, Q <- (Q + Q^-T)/2 [Higham86].
-/// The axes must be linearly independent and right-handed.
-Frame closestRotation(Vec3 x, Vec3 y, Vec3 z);
+/// The rotation closest (least squares) to the axes x, y, z, by Newton's iteration for the polar factor, Q <-
+/// (Q + Q^-T)/2 [Higham86]; its components are rounded once. The axes must be linearly independent and
+/// right-handed.
+Frame closestRotation(Twofold3 x, Twofold3 y, Twofold3 z);
 
 } // namespace yarte

@@ -348,7 +348,7 @@ WorldPtr buildWorld(const Scene& scene, Resolution resolution, Precision precisi
         all = boundsOfAll(world);
     }
     const double largest = std::max(largestOf(world.camera.position), reachOf(all, {}));
-    world.faces.rounding = roundingOf(largest);
+    world.faces.largest = largest, world.faces.rounding = roundingOf(largest);
     listTransmissions(world);
     if (!world.transmissions.empty()) world.cameraMedia = mediaAround(world);
     world.tree = treeOf(world, all, roomFor(world.precision, largest));

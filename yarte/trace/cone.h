@@ -29,23 +29,29 @@ inline Bounds bounds(const Cone& c) {
 
 /// The stretch inside the nappe cut by the half-space above the base. Working with stretches instead of two
 /// surfaces leaves no crack at the rim: a line that enters always leaves.
-inline Crossings crossings(const Cone& c, const Ray& ray) {
-    const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
-    Stretch inside = stretchInNappe(p, d, c.nappe);
+/// In doubt next to the rim, too.
+inline Crossings quickCrossings(const Cone& c, const Ray& ray) {
+    const LocalLine line(ray, c.centre, c.axes, c.radius + c.height);
+    const Vec3 p = line.p, d = line.d;
+    Stretch inside = stretchInNappe(line, c.nappe);
     std::uint8_t enterPart = 0, leavePart = 0;
+    Crossings result;
+    result.isDoubtful = inside.isDoubtful || inside.endsAt(0, line) || inside.endsAtStart(line);
     if (d.y == 0) {
-        if (p.y < 0) return {};
+        if (p.y < 0) return result;
     } else {
         const double base = -p.y / d.y;
         if (d.y > 0 && base > inside.from) inside.from = base, enterPart = 1;
         if (d.y < 0 && base < inside.to) inside.to = base, leavePart = 1;
+        result.isDoubtful |= (enterPart == 1 || leavePart == 1) && std::abs(p.y) <= inside.blur;
     }
-    Crossings result;
     if (inside.empty()) return result;
-    result.add(inside.from, enterPart, true);
-    result.add(inside.to, leavePart, false);
+    result.add(line.moved + inside.from, enterPart, true);
+    result.add(line.moved + inside.to, leavePart, false);
     return result;
 }
+
+Crossings carefulCrossings(const Cone&, const Ray&);
 
 inline Vec3 outwardNormal(const Cone& c, Vec3 point, std::uint8_t part) {
     if (part == 1) return -c.axes.y;

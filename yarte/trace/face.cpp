@@ -20,13 +20,15 @@ FacePlane computePlane(const FaceTable& table, const Face& face) {
     const Vec3 first = table.vertices[corners[0]];
     if (corners.size() == 3)
         return {triangleNormal(first, table.vertices[corners[1]], table.vertices[corners[2]]), first};
-    Vec3 areaVector, sum;
+    Twofold3 areaVector, sum;
     for (std::size_t i = 1; i < corners.size(); ++i) {
-        const Vec3 edge = table.vertices[corners[i]] - first;
-        if (i + 1 < corners.size()) areaVector += cross(edge, table.vertices[corners[i + 1]] - first);
-        sum += edge;
+        const Twofold3 edge = Twofold3(table.vertices[corners[i]]) - first;
+        if (i + 1 < corners.size())
+            areaVector = areaVector + cross(edge, Twofold3(table.vertices[corners[i + 1]]) - first);
+        sum = sum + edge;
     }
-    return {normalised(areaVector), first + sum / static_cast<double>(corners.size())};
+    const Twofold3 mean = Twofold3(first) + sum * (Twofold(1) / static_cast<double>(corners.size()));
+    return {normalised(areaVector.rounded()), mean.rounded()};
 }
 
 Vec3 outwardNormal(const FaceShape& s, Vec3 point, std::uint8_t) {

@@ -47,10 +47,24 @@ struct Crossing {
 struct Crossings {
     Crossing list[2];
     int count = 0;
+    /// Rounding may have decided what is here, or blurred it.
+    bool isDoubtful = false;
 
     void add(double t, std::uint8_t part, bool entering) { list[count++] = {t, part, entering}; }
     const Crossing* begin() const { return list; }
     const Crossing* end() const { return list + count; }
 };
+
+/// The crossings of a line with a shape. Every shape has two ways to them. `quickCrossings` computes in
+/// doubles, for many rays at once in lanes; it knows of itself where its rounding might decide: next to
+/// tangents, rims, edges, tips, and where the ray starts next to the surface. Only there, which is rare,
+/// `carefulCrossings` computes the same again in twice the precision. That is right wherever the answer does
+/// not hang on the rounding of the inputs themselves, and costs nothing elsewhere [the idea is that of
+/// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997].
+template <class Shape>
+Crossings crossings(const Shape& shape, const Ray& ray) {
+    const Crossings quick = quickCrossings(shape, ray);
+    return quick.isDoubtful ? carefulCrossings(shape, ray) : quick;
+}
 
 } // namespace yarte::trace

@@ -17,8 +17,8 @@ void visitCrossings(const Shape& shape, const Ray& ray, bool departs, Visit&& vi
     // The ray starts on this very surface. Outside a convex one there is nothing more to meet ...
     if (Shape::isFlat || ray.from.side == Side::outside) return;
     // ... and inside only its far end, which a closed one always has, however close to the start rounding
-    // puts it.
-    for (const Crossing& c : crossings(shape, ray)) {
+    // puts it. That is not in doubt; that the start is next to the surface is known.
+    for (const Crossing& c : quickCrossings(shape, ray)) {
         if (c.entering) continue;
         if (Shape::isClosed) return visit(Crossing{std::max(c.t, 0.0), c.part, false});
         if (c.t > 0) visit(c);

@@ -35,19 +35,24 @@ inline Bounds bounds(const TruncatedCone& c) {
 }
 
 /// The ends of the stretch inside the nappe, each kept if it lies between the two rims.
-inline Crossings crossings(const TruncatedCone& c, const Ray& ray) {
-    const Vec3 p = c.axes.toLocal(ray.origin - c.centre), d = c.axes.toLocal(ray.direction);
-    const Stretch inside = stretchInNappe(p, d, c.nappe);
+inline Crossings quickCrossings(const TruncatedCone& c, const Ray& ray) {
+    const LocalLine line(ray, c.centre, c.axes, c.radius + c.height);
+    const Vec3 p = line.p, d = line.d;
+    const Stretch inside = stretchInNappe(line, c.nappe);
     Crossings result;
+    result.isDoubtful = inside.isDoubtful || inside.endsAt(0, line) || inside.endsAt(c.height, line) ||
+                        inside.endsAtStart(line);
     if (inside.empty()) return result;
     const auto isKept = [&](double t) {
         const double y = p.y + t * d.y;
         return std::isfinite(t) && y >= 0 && y <= c.height;
     };
-    if (isKept(inside.from)) result.add(inside.from, 0, true);
-    if (isKept(inside.to)) result.add(inside.to, 0, false);
+    if (isKept(inside.from)) result.add(line.moved + inside.from, 0, true);
+    if (isKept(inside.to)) result.add(line.moved + inside.to, 0, false);
     return result;
 }
+
+Crossings carefulCrossings(const TruncatedCone&, const Ray&);
 
 inline Vec3 outwardNormal(const TruncatedCone& c, Vec3 point, std::uint8_t) {
     return c.axes.toWorld(nappeNormal(c.axes.toLocal(point - c.centre), c.nappe));

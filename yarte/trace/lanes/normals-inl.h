@@ -127,9 +127,16 @@ HWY_INLINE void triangleNormals(const World& world, Scalar* elements, PointPacke
     }
     for (std::size_t at = 0; at < lanes; at += half) {
         const V3 ab = edges.at(0, at), ac = edges.at(1, at);
+        const V3 plain{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z, ab.x * ac.y - ab.y * ac.x};
         // The other lanes, 0/0 for now, are written later.
-        points.setNormal(at, normalised(V3{ab.y * ac.z - ab.z * ac.y, ab.z * ac.x - ab.x * ac.z,
-                                           ab.x * ac.y - ab.y * ac.x}));
+        points.setNormal(at, normalised(plain));
+        const M sliver = dot(plain, plain) < set(maxSliver) * (dot(ab, ab) * dot(ac, ac));
+        for (std::uint32_t bits = bitsOf(D(), sliver); bits != 0; bits &= bits - 1) {
+            const std::size_t lane = at + static_cast<std::size_t>(std::countr_zero(bits));
+            const Vec3 n = planeOf(table, *faces[lane]).normal;
+            points.nx[lane] = static_cast<Scalar>(n.x), points.ny[lane] = static_cast<Scalar>(n.y),
+            points.nz[lane] = static_cast<Scalar>(n.z);
+        }
     }
     if (someSmooth) interpolateNormals(table, faces, points);
 }

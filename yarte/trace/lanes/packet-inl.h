@@ -6,6 +6,7 @@
 #define YARTE_TRACE_LANES_PACKET_INL_H
 #endif
 
+#include "yarte/trace/face.h"
 #include "yarte/trace/lanes/vector-inl.h"
 #include "yarte/trace/ray.h"
 
@@ -39,15 +40,20 @@ struct alignas(64) RayPacket {
 /// Shear of yarte/trace/face.h. Computed once for a packet, however many faces it meets.
 struct alignas(64) ShearPacket {
     Scalar slopeX[lanes], slopeY[lanes];
+    /// What the determinant of an edge may be off by at most, wherever the vertices are.
+    Scalar blur[lanes];
     Scalar axisX[lanes], axisY[lanes]; ///< flags: the direction's largest component is that one; neither: z
     /// The same for all lanes: 0, 1, 2; or `mixed`, and the lanes choose by their flags.
     static constexpr int mixed = -1;
     int axis;
 
-    HWY_INLINE void shearAlong(const RayPacket& rays) {
+    HWY_INLINE void shearAlong(const RayPacket& rays, const FaceTable& table) {
         std::size_t alongX = 0, alongY = 0;
         for (std::size_t at = 0; at < lanes; at += half) {
-            const V3 d = rays.direction(at);
+            const V3 o = rays.origin(at), d = rays.direction(at);
+            // Of a vertex as it is seen x and y are at most twice as far away, and so is z.
+            const V far = set(table.largest) + hn::Abs(o.x) + hn::Abs(o.y) + hn::Abs(o.z);
+            store(set(4 * edgeBlur) * far * far, blur + at);
             const V ax = hn::Abs(d.x), ay = hn::Abs(d.y), az = hn::Abs(d.z);
             const M isX = hn::And(ax > ay, ax > az), isY = hn::AndNot(ax > ay, ay > az);
             const V3 p = rotated(isX, isY, d);
@@ -58,14 +64,14 @@ struct alignas(64) ShearPacket {
         axis = alongX == lanes ? 0 : alongY == lanes ? 1 : alongX + alongY == 0 ? 2 : mixed;
     }
 
-    /// Where the lanes see `vertex`.
-    HWY_INLINE void see(const V3& origin, std::size_t at, Vec3 vertex, V& x, V& y) const {
+    /// Where the lanes see `vertex`: see Seen.
+    HWY_INLINE V3 see(const V3& origin, std::size_t at, Vec3 vertex) const {
         const V3 p = spread(vertex) - origin;
         const V3 q = axis == 2   ? p
                      : axis == 0 ? V3{p.y, p.z, p.x}
                      : axis == 1 ? V3{p.z, p.x, p.y}
                                  : rotated(isSet(load(axisX + at)), isSet(load(axisY + at)), p);
-        x = q.x - load(slopeX + at) * q.z, y = q.y - load(slopeY + at) * q.z;
+        return {q.x - load(slopeX + at) * q.z, q.y - load(slopeY + at) * q.z, q.z};
     }
 
 private:
@@ -75,8 +81,8 @@ private:
     }
 };
 
-/// A line that starts so near to a surface starts on it, as far as its rounded coordinates tell. In float that
-/// is a part of the distance from the camera, which is at the origin: less than a pixel's width (see
+/// A line that starts so near to a surface starts on it, as far as its rounded coordinates tell. In float
+/// that is a part of the distance from the camera, which is at the origin: less than a pixel's width (see
 /// suitsFloat in build_world.cpp).
 struct alignas(64) RoundingPacket {
     Scalar distance[lanes];
@@ -106,6 +112,7 @@ struct alignas(64) HitPacket {
 struct CrossingLanes {
     V enter, leave, enterPart, leavePart;
     M enters, leaves; ///< which of them there are
+    M doubtful;       ///< as Crossings::isDoubtful
 };
 
 } // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION

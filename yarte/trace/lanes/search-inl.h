@@ -41,6 +41,28 @@ HWY_INLINE Departing departing(const RayPacket& rays, std::size_t at, Scalar ele
     return {departs, hn::And(departs, isSet(load(rays.inside + at)))};
 }
 
+/// The crossings, those of the lanes in doubt computed again, one by one with care. By value: the caller's
+/// stay in registers.
+template <class Shape>
+HWY_NOINLINE CrossingLanes settled(const Shape& shape, const RayPacket& rays, std::size_t at, M doubtful,
+                                   CrossingLanes c) {
+    alignas(64) Scalar enter[half], leave[half], enterPart[half], leavePart[half], enters[half], leaves[half];
+    store(c.enter, enter), store(c.leave, leave), store(c.enterPart, enterPart),
+        store(c.leavePart, leavePart);
+    store(flag(c.enters), enters), store(flag(c.leaves), leaves);
+    for (std::uint32_t bits = bitsOf(D(), doubtful); bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        enters[lane] = leaves[lane] = 0;
+        for (const Crossing& crossing : carefulCrossings(shape, rays.ray(at + lane))) {
+            (crossing.entering ? enters : leaves)[lane] = 1;
+            (crossing.entering ? enter : leave)[lane] = crossing.t;
+            (crossing.entering ? enterPart : leavePart)[lane] = crossing.part;
+        }
+    }
+    return {load(enter),         load(leave),         load(enterPart), load(leavePart),
+            isSet(load(enters)), isSet(load(leaves)), none()};
+}
+
 /// The crossings that count: ahead of the start, and not the start itself. Those beyond `limit` may be left
 /// out.
 template <class Shape>
@@ -51,12 +73,21 @@ HWY_INLINE CrossingLanes ahead(const Shape& shape, const Lines& lines, std::size
     const V start = isFloat ? lines.rounding.at(at) : zero;
     CrossingLanes c = crossings(shape, lines, at, limit);
     const Departing departs = departing(lines.rays, at, element);
+    if (!any(isFloat ? departs.any : hn::Or(departs.any, c.doubtful))) {
+        c.enters = hn::And(c.enters, c.enter > start), c.leaves = hn::And(c.leaves, c.leave > start);
+        return c;
+    }
+    if constexpr (!isFloat) { // lanes whose search has ended have no reach
+        const M doubtful = hn::And(hn::AndNot(departs.any, c.doubtful), limit > zero);
+        if (any(doubtful)) [[unlikely]]
+            c = settled(shape, lines.rays, at, doubtful, c);
+    }
     const M leaves = c.leaves;
     c.enters = hn::AndNot(departs.any, hn::And(c.enters, c.enter > start));
     c.leaves = hn::And(leaves, c.leave > start);
     if constexpr (Shape::isFlat) {
         c.leaves = hn::AndNot(departs.any, c.leaves);
-    } else if (any(departs.any)) {
+    } else {
         c.leaves = hn::AndNot(hn::AndNot(departs.inside, departs.any), c.leaves);
         if constexpr (Shape::isClosed) { // left in any case, however close rounding puts the end to the start
             c.leave = select(departs.inside, select(leaves, greatest(c.leave, zero), zero), c.leave);
@@ -93,7 +124,7 @@ HWY_INLINE bool improve(const Shape& shape, Scalar element, const Lines& lines, 
 
 HWY_INLINE bool isTriangle(const TreeEntry& entry) { return entry.corners[0] != TreeEntry::noTriangle; }
 HWY_INLINE TriangleShape triangle(const World& world, const TreeEntry& entry) {
-    return {world.faces.vertices.data(), entry.corners};
+    return {world.faces.vertices.data(), entry.corners, world.faces.rounding};
 }
 
 /// Nearest crossings of all lanes; element is noElement where there is none.
@@ -105,7 +136,7 @@ HWY_NOINLINE void nearestHits(const World& world, const RayPacket& rays, HitPack
         store(set(0), best.entering + at);
     }
     ShearPacket shear;
-    if (!world.faces.faces.empty()) shear.shearAlong(rays);
+    if (!world.faces.faces.empty()) shear.shearAlong(rays, world.faces);
     const RoundingPacket rounding(rays, world.faces.rounding);
     const Lines lines{rays, shear, rounding};
     const auto test = [&](ElementId id, std::uint32_t mask) HWY_ATTR {

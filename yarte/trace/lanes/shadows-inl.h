@@ -86,7 +86,7 @@ public:
                             ElementId& blocker)
         : world_(world), rounding_(rays, world.faces.rounding), lines_{rays, shear_, rounding_},
           shadow_(shadow), blocker_(blocker) {
-        if (!world.faces.faces.empty()) shear_.shearAlong(rays);
+        if (!world.faces.faces.empty()) shear_.shearAlong(rays, world.faces);
     }
 
     /// True if it blocks a lane.

@@ -1,5 +1,6 @@
-// One kernel per shape, for as many rays as the machine has lanes. Each computes what the scalar `crossings`
-// in the shape's own header computes, in the same order, so to the last bit; the derivations are there.
+// One kernel per shape, for as many rays as the machine has lanes. Each computes what the scalar
+// `quickCrossings` in the shape's own header computes, in the same order, so to the last bit; the derivations
+// are there.
 #if defined(YARTE_TRACE_LANES_SHAPES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef YARTE_TRACE_LANES_SHAPES_INL_H
 #undef YARTE_TRACE_LANES_SHAPES_INL_H
@@ -20,7 +21,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION {
 
-HWY_INLINE CrossingLanes noCrossings() { return {set(0), set(0), set(0), set(0), none(), none()}; }
+HWY_INLINE CrossingLanes noCrossings() { return {set(0), set(0), set(0), set(0), none(), none(), none()}; }
+
+/// Lanes that cross a shape for sure or, where somebody decides again, perhaps. In float nobody does: what is
+/// in doubt is not asked for, and costs nothing.
+HWY_INLINE M possible(M sure, M doubtful) {
+    if constexpr (isFloat) return sure;
+    return hn::Or(sure, doubtful);
+}
 
 HWY_INLINE CrossingLanes crossings(const Sphere& s, V3 origin, V3 direction) {
     const V radius2 = set(s.radius * s.radius);
@@ -28,24 +36,38 @@ HWY_INLINE CrossingLanes crossings(const Sphere& s, V3 origin, V3 direction) {
     const V b = hn::Neg(dot(u, direction));
     const V3 nearest = u + direction * b;
     const V discriminant = radius2 - dot(nearest, nearest);
-    const M hits = discriminant >= set(0);
-    if (!any(hits)) return noCrossings();
+    const V blur = set(0x1p-30 * s.radius * s.radius) + set(0x1p-44 * s.radius) * hn::Abs(b);
+    const M hits = discriminant >= set(0), near = discriminant >= hn::Neg(blur);
+    if (!any(isFloat ? hits : near)) return noCrossings();
+    const V c = dot(u, u) - radius2;
+    const M doubtful =
+        hn::And(near, hn::Or(discriminant <= blur, hn::Abs(c) <= set(0x1p-44 * s.radius * s.radius)));
     const V h = hn::Sqrt(greatest(discriminant, set(0)));
     const V large = select(b < set(0), b - h, b + h);
-    const V small = select(large != set(0), (dot(u, u) - radius2) / large, set(0));
-    return {least(large, small), greatest(large, small), set(0), set(0), hits, hits};
+    const V small = select(large != set(0), c / large, set(0));
+    return {least(large, small), greatest(large, small), set(0), set(0), hits, hits, doubtful};
 }
 
+/// What comes second, and how far things are: what a box's doubt depends on.
+struct SlabDistances {
+    V secondEnter, secondLeave, farthest;
+};
+
 /// One slab of a box: narrows enter and leave, or rules the lane out.
-HWY_INLINE void clipToSlab(V origin, V direction, double halfSide, double lowPart, CrossingLanes& c) {
+HWY_INLINE void clipToSlab(V origin, V direction, double halfSide, double lowPart, CrossingLanes& c,
+                           SlabDistances& s) {
     const V h = set(halfSide);
     const M parallel = direction == set(0);
     const M outside = hn::And(parallel, hn::Abs(origin) > h);
+    c.doubtful = hn::Or(c.doubtful, parallel);
     const V a = (hn::Neg(h) - origin) / direction, b = (h - origin) / direction;
     const M swapped = a > b;
     const V low = select(swapped, b, a), high = select(swapped, a, b);
     const V lowSide = select(swapped, set(lowPart + 1), set(lowPart));
     const V highSide = select(swapped, set(lowPart), set(lowPart + 1));
+    s.farthest = hn::Max(s.farthest, hn::Max(hn::Abs(low), hn::Abs(high)));
+    s.secondEnter = hn::Max(s.secondEnter, hn::Min(low, c.enter));
+    s.secondLeave = hn::Min(s.secondLeave, hn::Max(high, c.leave));
     const M later = hn::AndNot(parallel, low > c.enter), earlier = hn::AndNot(parallel, high < c.leave);
     c.enter = select(later, low, c.enter), c.enterPart = select(later, lowSide, c.enterPart);
     c.leave = select(earlier, high, c.leave), c.leavePart = select(earlier, highSide, c.leavePart);
@@ -56,40 +78,107 @@ HWY_INLINE CrossingLanes crossings(const Box& b, V3 worldOrigin, V3 worldDirecti
     const V3 origin = toLocal(b.axes, worldOrigin - spread(b.centre)),
              direction = toLocal(b.axes, worldDirection);
     CrossingLanes c{set(-Bounds::infinity), set(Bounds::infinity), set(0), set(0),
-                    set(0) == set(0),       set(0) == set(0)};
-    clipToSlab(origin.x, direction.x, b.half.x, 0, c);
-    clipToSlab(origin.y, direction.y, b.half.y, 2, c);
-    clipToSlab(origin.z, direction.z, b.half.z, 4, c);
+                    set(0) == set(0),       set(0) == set(0),      none()};
+    SlabDistances s{c.enter, c.leave, set(0)};
+    clipToSlab(origin.x, direction.x, b.half.x, 0, c, s);
+    clipToSlab(origin.y, direction.y, b.half.y, 2, c, s);
+    clipToSlab(origin.z, direction.z, b.half.z, 4, c, s);
+    const V nearest = hn::Min(
+        hn::Min(hn::Abs(c.leave - c.enter), hn::Min(c.enter - s.secondEnter, s.secondLeave - c.leave)),
+        hn::Min(hn::Abs(c.enter), hn::Abs(c.leave)));
+    c.doubtful = hn::Or(c.doubtful, nearest <= s.farthest * set(b.blur));
     c.enters = hn::And(c.enters, c.enter <= c.leave);
     c.leaves = c.enters;
     return c;
 }
 
-struct StretchLanes {
-    V from, to;
+/// As LocalLine.
+struct LocalLines {
+    V3 p, d;
+    V moved, far;
+    double reach;
+
+    template <class Axes>
+    HWY_INLINE LocalLines(V3 origin, V3 direction, Vec3 centre, const Axes& axes, double reach_)
+        : reach(reach_) {
+        const V3 u = origin - spread(centre);
+        const V nearest = hn::Neg(dot(u, direction));
+        moved = select(hn::Abs(nearest) > set(reach), nearest, set(0));
+        p = toLocal(axes, u + direction * moved), d = toLocal(axes, direction);
+        far = set(reach) + hn::Abs(moved);
+    }
 };
 
-HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, const Nappe& nappe) {
-    const V zero = set(0), slope = set(nappe.slope);
-    const V moved = hn::Neg(dot(p, d));
-    const V3 q = p + d * moved;
-    const V x = q.x, z = q.z, r = slope * (set(nappe.height) - q.y) + set(nappe.radius);
-    const V dr = slope * hn::Neg(d.y);
+/// As Stretch.
+struct StretchLanes {
+    V from, to;
+    M doubtful;
+    V blur, steepness;
 
-    const V a = d.x * d.x + d.z * d.z - dr * dr;
-    const V b = x * d.x + z * d.z - r * dr;
-    const V c = x * x + z * z - r * r;
+    HWY_INLINE V distanceTo(double height, const LocalLines& line) const {
+        const V y = line.p.y, dy = line.d.y, h = set(height);
+        return hn::Min(hn::Abs(y + from * dy - h), hn::Abs(y + to * dy - h));
+    }
+    HWY_INLINE V distanceToStart(const LocalLines& line) const {
+        return hn::Min(hn::Abs(line.moved + from), hn::Abs(line.moved + to));
+    }
+    /// An end is at one of these distances from a decision.
+    HWY_INLINE M endsAt(V distance) const { return distance * steepness <= blur; }
+};
+
+HWY_INLINE StretchLanes emptyStretch() {
+    return {set(Bounds::infinity), set(-Bounds::infinity), none(), set(0), set(0)};
+}
+
+HWY_INLINE StretchLanes stretchInCylinder(const LocalLines& line, double radius) {
+    const V3 p = line.p, d = line.d;
+    const V zero = set(0), r2 = set(radius * radius);
+    const V a = d.x * d.x + d.z * d.z, b = p.x * d.x + p.z * d.z, c = p.x * p.x + p.z * p.z - r2;
+    const V xz = p.x * d.z - p.z * d.x;
+    const V discriminant = r2 * a - xz * xz;
+
+    const V k = set(radius) + hn::Abs(xz), w = set(0x1p-24) * k + set(0x1p-43) * line.far;
+    const M hits = discriminant >= zero, along = a == zero;
+    const M doubtful = hn::Or(hn::Abs(discriminant) <= (k + w) * w, along);
+    if (!any(possible(hits, doubtful))) return emptyStretch();
+    const V h = hn::Sqrt(greatest(discriminant, zero)), sum = hn::Neg(select(b < zero, b - h, b + h));
+    const V root1 = sum / a, root2 = select(sum != zero, c / sum, root1);
+    const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
+    V from = select(hits, least(root1, root2), infinity),
+      to = select(hits, greatest(root1, root2), minusInfinity);
+    if (any(along)) [[unlikely]] {
+        const M inside = c <= zero;
+        from = select(along, select(inside, minusInfinity, infinity), from);
+        to = select(along, select(inside, infinity, minusInfinity), to);
+    }
+    return {from, to, doubtful, set(0x1p-26 * line.reach) + set(0x1p-42) * line.far, a};
+}
+
+HWY_INLINE StretchLanes stretchInCone(const LocalLines& line, const Nappe& nappe) {
+    const V3 p = line.p, d = line.d;
+    const V zero = set(0), slope = set(nappe.slope);
+    const V start = slope * (set(nappe.height) - p.y) + set(nappe.radius), dr = slope * hn::Neg(d.y);
+    const V dd = d.x * d.x + d.z * d.z, m = dd + dr * dr;
+    const V moved = hn::Neg(p.x * d.x + p.z * d.z + start * dr) / m;
+    const V x = p.x + moved * d.x, y = p.y + moved * d.y, z = p.z + moved * d.z;
+    const V r = slope * (set(nappe.height) - y) + set(nappe.radius);
+
+    const V a = dd - dr * dr, b = x * d.x + z * d.z - r * dr, c = x * x + z * z - r * r;
     const V xr = x * dr - r * d.x, zr = z * dr - r * d.z, xz = x * d.z - z * d.x;
     const V discriminant = xr * xr + zr * zr - xz * xz;
 
-    const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
-    if (!any(hn::Or(a <= zero, discriminant >= zero))) return {infinity, minusInfinity};
+    const V far = line.far + hn::Abs(start), k = hn::Abs(xr) + hn::Abs(zr) + hn::Abs(xz);
+    const V w = set(0x1p-24) * k + set(0x1p-44 * (2 + nappe.slope * nappe.slope)) * far;
+    const M near = hn::Abs(discriminant) <= (k + w) * w;
+    if (!any(possible(hn::Or(a <= zero, discriminant >= zero), near))) return emptyStretch();
+    const V blur = set(0x1p-26 * line.reach) + set(0x1p-42) * far, steepness = hn::Min(set(1), hn::Abs(a));
+    const M doubtful = hn::Or(near, hn::Or(hn::Abs(a) <= set(0x1p-16) * m, hn::Abs(r) <= set(0x1p-40) * far));
 
-    const V h = hn::Sqrt(greatest(discriminant, zero));
-    const V sum = hn::Neg(select(b < zero, b - h, b + h));
+    const V infinity = set(Bounds::infinity), minusInfinity = set(-Bounds::infinity);
+    const V h = hn::Sqrt(greatest(discriminant, zero)), sum = hn::Neg(select(b < zero, b - h, b + h));
     const V root1 = sum / a, root2 = select(sum != zero, c / sum, root1);
     const V low = moved + least(root1, root2), high = moved + greatest(root1, root2);
-    const M both = hn::And(a > zero, hn::And(discriminant >= zero, r - b / a * dr > zero));
+    const M both = hn::And(a > zero, hn::And(discriminant >= zero, r > zero));
     const M steep = a<zero, down = dr> zero;
 
     // Empty unless one of the cases of the scalar form applies.
@@ -101,30 +190,45 @@ HWY_INLINE StretchLanes stretchInNappe(V3 p, V3 d, const Nappe& nappe) {
     if (any(linear)) [[unlikely]] {
         const V single = moved - c / (set(2) * b);
         const M below = hn::And(b<zero, dr> zero), above = hn::And(b > zero, dr < zero);
-        const M along = hn::And(dr == zero, c <= zero);
-        from = select(linear, select(below, single, select(hn::Or(above, along), minusInfinity, infinity)),
-                      from);
-        to = select(linear, select(hn::Or(below, along), infinity, select(above, single, minusInfinity)), to);
+        from = select(linear, select(below, single, select(above, minusInfinity, infinity)), from);
+        to = select(linear, select(below, infinity, select(above, single, minusInfinity)), to);
     }
-    return {from, to};
+    return {from, to, doubtful, blur, steepness};
+}
+
+HWY_INLINE StretchLanes stretchInNappe(const LocalLines& line, const Nappe& nappe) {
+    return nappe.slope == 0 ? stretchInCylinder(line, nappe.radius) : stretchInCone(line, nappe);
 }
 
 HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
     const V zero = set(0), one = set(1);
-    const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
-    auto [from, to] = stretchInNappe(p, d, c.nappe);
+    const LocalLines line(origin, direction, c.centre, c.axes, c.radius + c.height);
+    const V3 p = line.p, d = line.d;
+    const StretchLanes inside = stretchInNappe(line, c.nappe);
+    V from = inside.from, to = inside.to;
     const V base = hn::Neg(p.y) / d.y;
     const M baseEnters = hn::And(d.y > zero, base > from), baseLeaves = hn::And(d.y < zero, base < to);
     from = select(baseEnters, base, from), to = select(baseLeaves, base, to);
     const M beside = hn::And(d.y == zero, p.y < zero);
     const M hits = hn::AndNot(beside, from <= to);
-    return {from, to, select(baseEnters, one, zero), select(baseLeaves, one, zero), hits, hits};
+    const M startsAtBase = hn::And(hn::Or(baseEnters, baseLeaves), hn::Abs(p.y) <= inside.blur);
+    const V nearest = hn::Min(inside.distanceTo(0, line), inside.distanceToStart(line));
+    const M doubtful = hn::Or(hn::Or(inside.doubtful, startsAtBase), inside.endsAt(nearest));
+    return {line.moved + from,
+            line.moved + to,
+            select(baseEnters, one, zero),
+            select(baseLeaves, one, zero),
+            hits,
+            hits,
+            doubtful};
 }
 
 HWY_INLINE CrossingLanes crossings(const Frustum& f, V3 origin, V3 direction) {
     const V zero = set(0), one = set(1), two = set(2);
-    const V3 p = toLocal(f.axes, origin - spread(f.centre)), d = toLocal(f.axes, direction);
-    auto [from, to] = stretchInNappe(p, d, f.nappe);
+    const LocalLines line(origin, direction, f.centre, f.axes, f.baseRadius + f.topRadius + f.height);
+    const V3 p = line.p, d = line.d;
+    const StretchLanes inside = stretchInNappe(line, f.nappe);
+    V from = inside.from, to = inside.to;
     const V base = hn::Neg(p.y) / d.y, top = (set(f.height) - p.y) / d.y;
     const M upwards = d.y > zero, level = d.y == zero;
     const V enter = select(upwards, base, top), leave = select(upwards, top, base);
@@ -132,101 +236,154 @@ HWY_INLINE CrossingLanes crossings(const Frustum& f, V3 origin, V3 direction) {
     from = select(later, enter, from), to = select(earlier, leave, to);
     const M beside = hn::And(level, hn::Or(p.y<zero, p.y> set(f.height)));
     const M hits = hn::AndNot(beside, from <= to);
-    return {from,
-            to,
+    const M startsAtDisc = hn::And(hn::Or(level, hn::Or(later, earlier)),
+                                   hn::Min(hn::Abs(p.y), hn::Abs(p.y - set(f.height))) <= inside.blur);
+    const V nearest = hn::Min(hn::Min(inside.distanceTo(0, line), inside.distanceTo(f.height, line)),
+                              inside.distanceToStart(line));
+    const M doubtful = hn::Or(hn::Or(inside.doubtful, startsAtDisc), inside.endsAt(nearest));
+    return {line.moved + from,
+            line.moved + to,
             select(later, select(upwards, one, two), zero),
             select(earlier, select(upwards, two, one), zero),
             hits,
-            hits};
+            hits,
+            doubtful};
 }
 
 HWY_INLINE CrossingLanes crossings(const TruncatedCone& c, V3 origin, V3 direction) {
     const V zero = set(0), height = set(c.height), infinity = set(Bounds::infinity);
-    const V3 p = toLocal(c.axes, origin - spread(c.centre)), d = toLocal(c.axes, direction);
-    const auto [from, to] = stretchInNappe(p, d, c.nappe);
+    const LocalLines line(origin, direction, c.centre, c.axes, c.radius + c.height);
+    const V3 p = line.p, d = line.d;
+    const StretchLanes inside = stretchInNappe(line, c.nappe);
+    const V from = inside.from, to = inside.to;
     const M hits = from <= to;
     const V fromY = p.y + from * d.y, toY = p.y + to * d.y;
     const M keepsFrom = hn::And(hn::Abs(from) < infinity, hn::And(fromY >= zero, fromY <= height));
     const M keepsTo = hn::And(hn::Abs(to) < infinity, hn::And(toY >= zero, toY <= height));
-    return {from, to, zero, zero, hn::And(hits, keepsFrom), hn::And(hits, keepsTo)};
+    const V nearest = hn::Min(hn::Min(inside.distanceTo(0, line), inside.distanceTo(c.height, line)),
+                              inside.distanceToStart(line));
+    const M doubtful = hn::Or(inside.doubtful, inside.endsAt(nearest));
+    return {line.moved + from,        line.moved + to,        zero,    zero,
+            hn::And(hits, keepsFrom), hn::And(hits, keepsTo), doubtful};
 }
 
 /// A flat shape is crossed once, one way or the other.
-HWY_INLINE CrossingLanes onceCrossed(V t, V fall, M hits) {
+HWY_INLINE CrossingLanes onceCrossed(V t, V fall, M hits, M doubtful) {
     const M enters = fall > set(0);
-    return {t, t, set(0), set(0), hn::And(hits, enters), hn::AndNot(enters, hits)};
+    return {t, t, set(0), set(0), hn::And(hits, enters), hn::AndNot(enters, hits), doubtful};
 }
+HWY_INLINE V sumOfSizes(V3 v) { return hn::Abs(v.x) + hn::Abs(v.y) + hn::Abs(v.z); }
 
 HWY_INLINE CrossingLanes crossings(const Disc& s, V3 origin, V3 direction) {
     const V3 normal = spread(s.normal), u = origin - spread(s.centre);
     const V fall = hn::Neg(dot(direction, normal));
-    const V t = dot(u, normal) / fall;
+    const V height = dot(u, normal), far = sumOfSizes(u);
+    const V t = height / fall;
     const V3 fromCentre = u + direction * t;
-    return onceCrossed(t, fall,
-                       hn::And(fall != set(0), dot(fromCentre, fromCentre) <= set(s.radius * s.radius)));
+    const V margin = set(s.radius * s.radius) - dot(fromCentre, fromCentre), slope = hn::Abs(fall);
+    const M within = margin >= set(0);
+    const V blur = set(s.radius) * (set(0x1p-26 * s.radius) + set(0x1p-44) * far);
+    const M doubtful = hn::Or(hn::Or(slope <= set(0x1p-40), hn::Abs(margin) * slope <= blur),
+                              hn::And(within, hn::Abs(height) <= set(0x1p-44) * far));
+    return onceCrossed(t, fall, hn::And(fall != set(0), within), doubtful);
 }
 
 HWY_INLINE CrossingLanes crossings(const Plane& s, V3 origin, V3 direction) {
     const V3 normal = spread(s.normal);
     const V fall = hn::Neg(dot(direction, normal));
-    const V t = (dot(origin, normal) - set(s.distance)) / fall;
+    const V height = dot(origin, normal) - set(s.distance);
+    const V far = sumOfSizes(origin) + set(std::abs(s.distance));
+    const M doubtful = hn::Or(hn::Abs(fall) <= set(0x1p-40), hn::Abs(height) <= set(0x1p-44) * far);
+    const V t = height / fall;
     // A fall of 0 gives no finite t either.
-    return onceCrossed(t, fall, hn::Abs(t) < set(Bounds::infinity));
+    return onceCrossed(t, fall, hn::Abs(t) < set(Bounds::infinity), doubtful);
 }
 
-/// Where rounded products do not decide, which is rare, lane by lane with exact ones.
-HWY_NOINLINE M exactlyGreater(V ax, V by, V bx, V ay) {
-    alignas(64) Scalar a[half], b[half], c[half], d[half], result[half];
-    store(ax, a), store(by, b), store(bx, c), store(ay, d);
-    for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) > 0 ? 1 : 0;
-    return isSet(load(result));
-}
-HWY_NOINLINE M exactlyLess(V ax, V by, V bx, V ay) {
-    alignas(64) Scalar a[half], b[half], c[half], d[half], result[half];
-    store(ax, a), store(by, b), store(bx, c), store(ay, d);
-    for (std::size_t i = 0; i < half; ++i) result[i] = orientation({a[i], d[i]}, {c[i], b[i]}) < 0 ? 1 : 0;
-    return isSet(load(result));
-}
+/// Which lanes pass inside a face, as far as rounding tells.
+struct SightLanes {
+    M inside, doubtful;
+};
 
-HWY_INLINE M crossesHalfAxis(V ax, V ay, V bx, V by) {
-    const V zero = set(0);
-    const M aAbove = ay > zero, bAbove = by > zero;
-    const M spans = hn::Xor(aAbove, bAbove);
-    const V left = ax * by, right = bx * ay;
-    M greater = left > right, less = left < right;
-    if (any(hn::And(spans, left == right))) [[unlikely]]
-        greater = exactlyGreater(ax, by, bx, ay), less = exactlyLess(ax, by, bx, ay);
-    return hn::And(spans, hn::Or(hn::And(bAbove, greater), hn::AndNot(bAbove, less)));
-}
+/// As EdgeCount.
+class EdgeLanes {
+public:
+    HWY_INLINE EdgeLanes()
+        : inside_(none()), nearest_(set(Bounds::infinity)), across_(set(0)), depth_(set(0)) {}
 
-/// Lanes whose ray passes inside the polygon: even-odd.
-HWY_INLINE M seesThrough(std::span<const std::uint32_t> corners, const Vec3* vertices, const V3& origin,
-                         const ShearPacket& shear, std::size_t at) {
-    V ax, ay, bx, by;
-    if (corners.size() == 3) { // the usual case, unrolled
-        V cx, cy;
-        shear.see(origin, at, vertices[corners[0]], ax, ay);
-        shear.see(origin, at, vertices[corners[1]], bx, by);
-        shear.see(origin, at, vertices[corners[2]], cx, cy);
-        return hn::Xor(crossesHalfAxis(ax, ay, bx, by),
-                       hn::Xor(crossesHalfAxis(bx, by, cx, cy), crossesHalfAxis(cx, cy, ax, ay)));
+    HWY_INLINE void add(V3 a, V3 b) {
+        const V zero = set(0), determinant = a.x * b.y - b.x * a.y;
+        const M aAbove = a.y > zero, bAbove = b.y > zero;
+        const M crosses = hn::Or(hn::And(bAbove, determinant > zero), hn::AndNot(bAbove, determinant < zero));
+        inside_ = hn::Xor(inside_, hn::And(hn::Xor(aAbove, bAbove), crosses));
+        nearest_ = hn::Min(nearest_, hn::Abs(determinant));
+        across_ = hn::Max(across_, hn::Max(hn::Abs(b.x), hn::Abs(b.y)));
+        depth_ = hn::Max(depth_, hn::Abs(b.z));
     }
-    M inside = none();
-    shear.see(origin, at, vertices[corners.back()], ax, ay);
+    HWY_INLINE SightLanes sight() const {
+        return {inside_, nearest_ <= set(edgeBlur) * across_ * hn::Max(across_, depth_)};
+    }
+
+private:
+    M inside_;
+    V nearest_, across_, depth_;
+};
+
+HWY_INLINE SightLanes lookThrough(std::span<const std::uint32_t> corners, const Vec3* vertices,
+                                  const V3& origin, const ShearPacket& shear, std::size_t at) {
+    EdgeLanes edges;
+    V3 previous = shear.see(origin, at, vertices[corners.back()]);
     for (const std::uint32_t vertex : corners) {
-        shear.see(origin, at, vertices[vertex], bx, by);
-        inside = hn::Xor(inside, crossesHalfAxis(ax, ay, bx, by));
-        ax = bx, ay = by;
+        const V3 next = shear.see(origin, at, vertices[vertex]);
+        edges.add(previous, next);
+        previous = next;
     }
-    return inside;
+    return edges.sight();
 }
 
-/// How far the origins are in front of a face's plane. In float the camera is at the origin, and from there
-/// the plane is known better than by a corner that may be far away.
-HWY_INLINE V heightAbove(const FacePlane& plane, V3 origin) {
-    const V3 normal = spread(plane.normal);
-    if constexpr (isFloat) return dot(origin, normal) - set(dot(plane.anchor, plane.normal));
-    return dot(origin - spread(plane.anchor), normal);
+/// Inside a triangle the three determinants have one sign. In float, where nobody decides what is in doubt,
+/// it is the count of edges that leaks nowhere.
+HWY_INLINE SightLanes lookThroughTriangle(const std::uint32_t* corners, const Vec3* vertices,
+                                          const V3& origin, const ShearPacket& shear, std::size_t at) {
+    const V3 a = shear.see(origin, at, vertices[corners[0]]), b = shear.see(origin, at, vertices[corners[1]]),
+             c = shear.see(origin, at, vertices[corners[2]]);
+    const auto countEdges = [&]() HWY_ATTR {
+        EdgeLanes edges;
+        edges.add(c, a), edges.add(a, b), edges.add(b, c);
+        return edges.sight();
+    };
+    if constexpr (isFloat) return countEdges();
+    const V ab = a.x * b.y - b.x * a.y, bc = b.x * c.y - c.x * b.y, ca = c.x * a.y - a.x * c.y;
+    const V nearest = hn::Min(hn::Min(hn::Abs(ab), hn::Abs(bc)), hn::Abs(ca));
+    if (any(nearest <= load(shear.blur + at))) [[unlikely]]
+        return countEdges();
+    const M inside = hn::Or(hn::Min(hn::Min(ab, bc), ca) > set(0), hn::Max(hn::Max(ab, bc), ca) < set(0));
+    return {inside, none()};
+}
+
+/// Where lines meet the plane of a face.
+struct PlaneLanes {
+    V fall, t;
+    M meets, doubtful;
+
+    HWY_INLINE PlaneLanes(const RayPacket& rays, std::size_t at, const FacePlane& plane, V rounding) {
+        const V3 normal = spread(plane.normal), origin = rays.origin(at),
+                 fromAnchor = origin - spread(plane.anchor);
+        fall = hn::Neg(dot(rays.direction(at), normal));
+        // In float the camera is at the origin, and from there the plane is known better than by a corner
+        // that may be far away.
+        const V height =
+            isFloat ? dot(origin, normal) - set(dot(plane.anchor, plane.normal)) : dot(fromAnchor, normal);
+        meets = hn::Or(load(rays.from + at) == set(noElement), hn::Abs(height) > rounding);
+        doubtful = hn::And(meets, hn::Or(hn::Abs(fall) <= set(0x1p-20),
+                                         hn::Abs(height) <= set(0x1p-20) * sumOfSizes(fromAnchor)));
+        meets = hn::And(meets, fall != set(0));
+        t = height / fall;
+    }
+};
+
+HWY_INLINE CrossingLanes crossings(const SightLanes& sight, const PlaneLanes& plane) {
+    return onceCrossed(plane.t, plane.fall, hn::And(sight.inside, plane.meets),
+                       hn::Or(sight.doubtful, hn::And(sight.inside, plane.doubtful)));
 }
 
 /// A triangle as a tree's leaf knows it.
@@ -234,42 +391,34 @@ struct TriangleShape {
     static constexpr bool isFlat = true, isClosed = false;
     const Vec3* vertices;
     const std::uint32_t* corners;
+    double rounding; ///< of FaceTable
 };
+
+inline Crossings carefulCrossings(const TriangleShape& s, const Ray& ray) {
+    return trace::carefulCrossings(std::span(s.corners, 3), s.vertices, s.rounding, ray);
+}
 
 HWY_INLINE CrossingLanes crossings(const TriangleShape& s, const RayPacket& rays, const ShearPacket& shear,
                                    std::size_t at, V rounding) {
-    const V3 origin = rays.origin(at), direction = rays.direction(at);
-    const M inside = seesThrough(std::span(s.corners, 3), s.vertices, origin, shear, at);
-    if (!any(inside)) return noCrossings();
+    const SightLanes sight = lookThroughTriangle(s.corners, s.vertices, rays.origin(at), shear, at);
+    if (!any(possible(sight.inside, sight.doubtful))) return noCrossings();
     const Vec3 anchor = s.vertices[s.corners[0]];
     const FacePlane plane{triangleNormal(anchor, s.vertices[s.corners[1]], s.vertices[s.corners[2]]), anchor};
-    const V fall = hn::Neg(dot(direction, spread(plane.normal)));
-    const V height = heightAbove(plane, origin);
-    const M isOff = hn::Abs(height) > rounding;
-    return onceCrossed(height / fall, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
+    return crossings(sight, PlaneLanes(rays, at, plane, rounding));
 }
 
 /// Crossings beyond `limit` may be left out.
 HWY_INLINE CrossingLanes crossings(const FaceShape& s, const RayPacket& rays, const ShearPacket& shear,
                                    std::size_t at, V rounding, V limit) {
-    const V3 origin = rays.origin(at), direction = rays.direction(at);
-    V fall = set(0), t = set(0);
-    M isOff = none();
-    const auto meetPlane = [&](const FacePlane& plane) HWY_ATTR {
-        fall = hn::Neg(dot(direction, spread(plane.normal)));
-        const V height = heightAbove(plane, origin);
-        isOff = hn::Abs(height) > rounding;
-        t = height / fall;
-    };
-    const bool isKnown = s.face.plane != Face::noPlane;
-    if (isKnown) { // a look at the plane spares most looks at the edges
-        meetPlane(s.table.planes[s.face.plane]);
-        if (!any(hn::And(t > set(0), t <= limit))) return noCrossings();
-    }
-    const M inside = seesThrough(s.table.cornersOf(s.face), s.table.vertices.data(), origin, shear, at);
-    if (!any(inside)) return noCrossings();
-    if (!isKnown) meetPlane(computePlane(s.table, s.face));
-    return onceCrossed(t, fall, hn::And(hn::And(inside, isOff), fall != set(0)));
+    const auto corners = s.table.cornersOf(s.face);
+    const Vec3* const vertices = s.table.vertices.data();
+    if (s.face.plane == Face::noPlane)
+        return crossings(TriangleShape{vertices, corners.data(), s.table.rounding}, rays, shear, at,
+                         rounding);
+    // A look at the plane spares most looks at the edges.
+    const PlaneLanes plane(rays, at, s.table.planes[s.face.plane], rounding);
+    if (!any(possible(hn::And(plane.t > set(0), plane.t <= limit), plane.doubtful))) return noCrossings();
+    return crossings(lookThrough(corners, vertices, rays.origin(at), shear, at), plane);
 }
 
 } // namespace yarte::trace::HWY_NAMESPACE::YARTE_PRECISION
