@@ -103,9 +103,9 @@ struct LocalLines {
         : reach(reach_) {
         const V3 u = origin - spread(centre);
         const V nearest = hn::Neg(dot(u, direction));
-        moved = select(hn::Abs(nearest) > set(reach), nearest, set(0));
+        moved = select(hn::Abs(nearest) > set(2 * reach), nearest, set(0));
         p = toLocal(axes, u + direction * moved), d = toLocal(axes, direction);
-        far = set(reach) + hn::Abs(moved);
+        far = set(2 * reach) + hn::Abs(moved);
     }
 };
 
