@@ -56,6 +56,7 @@ Answer answer(const Case& c, const Truth& truth) {
     const Vec<Real>& exact = truth.hit->normal;
     result.normalError = length({distance(exact.x, n.x), distance(exact.y, n.y), distance(exact.z, n.z)}) /
                          0x1p-52 / std::max(1.0, truth.hit->normalCondition);
+    if (maxError * truth.hit->normalCondition * 0x1p-52 > maxNormalBlur) result.normalError = 0;
     if (!(result.tError <= maxError) || !(result.normalError <= maxError))
         result.wrong =
             fmt::format("t is off by {:.3g}, the normal by {:.3g}, conditions {:.3g}, {:.3g}; true: {}, "
