@@ -139,7 +139,7 @@ void registerKernels() {
                           [shape](benchmark::State& state) { crossingsKernel(state, shape); });
     });
     const FaceTable& table = bench::faces();
-    const TriangleShape triangle{table.vertices.data(), table.corners.data()};
+    const TriangleShape triangle{table.vertices.data(), table.corners.data(), table.rounding};
     RegisterBenchmark(named("triangle").c_str(),
                       [triangle](benchmark::State& state) { crossingsKernel(state, triangle); });
     RegisterBenchmark(named("shear of a packet").c_str(), shearKernel);

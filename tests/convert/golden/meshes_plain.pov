@@ -191,7 +191,7 @@ union {
 // mesh, line 8
 #declare Axes_2 = array[3] { <0.6, 0.8, 0>, <-0.8, 0.6, 0>, <0, 0, 0> } // as written; below, the rotation nearest to them
 union {
-    Yarte_Faces(Mesh_1_Vertices, Mesh_1_Faces, 0.5, <0.5999999999999999, 0.8, 0>, <-0.8, 0.5999999999999999, 0>, <0, -0, 1>, <1, 0.5, 0>)
+    Yarte_Faces(Mesh_1_Vertices, Mesh_1_Faces, 0.5, <0.6, 0.8, 0>, <-0.8, 0.6, 0>, <0, 0, 1>, <1, 0.5, 0>)
     material { Material_2 }
 }
 
