@@ -1,5 +1,7 @@
 #include "convert/convert.h"
 
+#include "convert/curved_shapes.h"
+
 namespace yarte::convert {
 
 std::vector<OutputFile> convert(const Options& options, Sources& sources, Diagnostics& diagnostics,
@@ -18,8 +20,10 @@ std::vector<OutputFile> convert(const Options& options, Sources& sources, Diagno
         .diagnostics = diagnostics,
         .ledger = ledger,
     };
-    const std::optional<Scene> scene = options.from->read(conversion);
+    std::optional<Scene> scene = options.from->read(conversion);
     if (!scene) return {};
+    if (options.writing.tessellate)
+        scene = withMeshesForCurvedShapes(std::move(*scene), options.writing.chordError, ledger);
     std::vector<OutputFile> files = options.to->write(*scene, conversion);
     for (const LedgerRow& row : ledger.rows())
         if (isLoss(row.action)) diagnostics.warning("convert.loss", describe(row)).file = name;

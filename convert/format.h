@@ -31,7 +31,8 @@ struct Input {
 struct WriteOptions {
     double exposure = 1; ///< .pov: factor of lights, ambient and background; a power of two keeps every bit
     bool plainTextures = false; ///< .pov: the fastest idiomatic SDL rather than the exact one
-    /// .gltf, .glb: how far triangles may be from curved shapes, in scene units; none: a part of the radius
+    bool tessellate = false;    ///< curved shapes become meshes, whatever the format
+    /// How far triangles may be from curved shapes, in scene units; none: defaultChordError of the radius
     std::optional<double> chordError{};
     Resolution size{640, 480}; ///< of a .pov scene, which does not say it itself
     bool canonical = false;    ///< .yarte: mesh paths stay as they are and no mesh is written

@@ -38,9 +38,11 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
         ->capture_default_str();
     app.add_flag("--plain-textures", options.writing.plainTextures,
                  "Write .pov with the textures and meshes that POV-Ray renders fastest, not the exact ones");
+    app.add_flag("--tessellate", options.writing.tessellate,
+                 "Write meshes of triangles for curved shapes in formats that need none, too");
     app.add_option("--chord-error", options.writing.chordError,
-                   "In .gltf and .glb: how far triangles may be from curved shapes, in scene units; default: "
-                   "a thousandth of the radius")
+                   "How far triangles may be from curved shapes, where they become such (.gltf, .glb, "
+                   "--tessellate), in scene units; default: a thousandth of the radius")
         ->type_name("E");
     app.add_option("--size", raw.size,
                    "Size of the picture of a .pov scene, which does not say it; default: 640x480")
@@ -81,6 +83,8 @@ void complete(Options& options, const Raw& raw) {
         throw CLI::ValidationError(raw.output, fmt::format("format '{}' can only be read", options.to->name));
     if (options.writing.canonical && (options.from->name != "yarte" || options.to->name != "yarte"))
         throw CLI::ValidationError("--canonical", "both files must be .yarte");
+    if (options.writing.tessellate && options.writing.canonical)
+        throw CLI::ValidationError("--tessellate", "makes meshes, which --canonical does not write");
     if (!(options.writing.exposure > 0) || !std::isfinite(options.writing.exposure))
         throw CLI::ValidationError("--exposure", "must be positive");
     if (const auto chord = options.writing.chordError; chord && !(*chord > 0 && std::isfinite(*chord)))

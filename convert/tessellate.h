@@ -23,6 +23,9 @@ struct Tessellation {
     double deviation = 0;
 };
 
+/// Unless the user says otherwise; a part of the radius.
+inline constexpr double defaultChordError = 1e-3;
+
 /// Chord errors below this part of the radius are taken as it: near it, float32 limits what is reached, and a
 /// sphere has 1.6 million triangles.
 inline constexpr double leastRelativeChordError = 4e-6;

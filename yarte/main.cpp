@@ -8,6 +8,7 @@
 #include "yarte/engine/memory_limit.h"
 #include "yarte/engine/render.h"
 #include "yarte/engine/tile_list.h"
+#include "yarte/hits_text.h"
 #include "yarte/interrupt.h"
 #include "yarte/lang/pmf.h"
 #include "yarte/lang/scene_reader.h"
@@ -15,6 +16,7 @@
 #include "yarte/outputs.h"
 #include "yarte/progress.h"
 #include "yarte/stats.h"
+#include "yarte/trace/camera_hits.h"
 #include "yarte/trace/supersample.h"
 
 #include <fmt/format.h>
@@ -117,6 +119,7 @@ private:
     void tellOfJournal(const Journal&, std::size_t damagedRecords);
     void write(Rendering&, double gamma);
     void writeAov(const Scene&, Resolution, const World*, const RenderOptions&);
+    void writeHits(const Scene&, Resolution, const World*, Tile region);
 
     Options options_;
     Sources sources_;
@@ -249,11 +252,19 @@ void Run::writeAov(const Scene& scene, Resolution resolution, const World* world
     if (image) orCannot("write", [&] { writeFile(*options_.aov, encodeExrLayers(*image)); });
 }
 
+void Run::writeHits(const Scene& scene, Resolution resolution, const World* world, Tile region) {
+    const bool suits = world && options_.samples == 1; // they are of one ray a pixel
+    const WorldPtr own = suits ? nullptr : buildWorld(scene, resolution, options_.precision);
+    const std::string text = hitsText(region, cameraHits(suits ? *world : *own, region));
+    orCannot("write", [&] { writeFile(*options_.hits, text); });
+}
+
 int Run::operator()() {
     orCannot("write", [&] {
         for (const std::filesystem::path& output : options_.outputs) requireWritable(output);
         if (options_.stats) requireWritable(*options_.stats);
         if (options_.aov) requireWritable(*options_.aov);
+        if (options_.hits) requireWritable(*options_.hits);
     });
     if (const auto why = overwritesScene(options_)) return fail(wrongUsage, *why);
     if (const auto why = checkpointInTheWay(options_)) return fail(wrongUsage, *why);
@@ -285,6 +296,7 @@ int Run::operator()() {
     if (rendering && journal) tellOfJournal(*journal, rendering->damagedRecords);
     if (rendering) write(*rendering, scene->gamma);
     if (rendering && options_.aov) writeAov(*scene, resolution, world.get(), options);
+    if (rendering && options_.hits) writeHits(*scene, resolution, world.get(), region);
     if (const int signal = DeferredInterrupts::pending())
         return fail(interruptExitCode(signal), "interrupted");
 

@@ -60,7 +60,7 @@ std::string checkAovFile(const std::string& file) {
 
 /// The command line's options as CLI11 fills them in, where they are not yet those of Options.
 struct Raw {
-    std::string scene, size, region, stats, aov, checkpoint;
+    std::string scene, size, region, stats, aov, hits, checkpoint;
     std::string precision = "double", progress = "auto", diagnostics = "text";
     std::vector<std::string> outputs, allowedFolders;
     std::optional<int> processes, threads;
@@ -127,6 +127,9 @@ void declare(CLI::App& app, Raw& raw, Options& options) {
                    "Write what is known of each pixel besides its colour: body, depth, normal, shadows, ...")
         ->type_name("FILE.exr")
         ->check(CLI::Validator(checkAovFile, ""));
+    app.add_option("--hits", raw.hits,
+                   "Write what each pixel's ray meets, with all digits: body, distance, normal")
+        ->type_name("FILE.csv");
     const auto checkpoint =
         app.add_option("--checkpoint", raw.checkpoint,
                        "Keep finished tiles in this file, so that an interrupted render can go on")
@@ -163,6 +166,7 @@ void complete(Options& options, const Raw& raw) {
     if (raw.progress == "none") options.progress = ProgressStyle::none;
     if (!raw.stats.empty()) options.stats = raw.stats;
     if (!raw.aov.empty()) options.aov = raw.aov;
+    if (!raw.hits.empty()) options.hits = raw.hits;
     if (!raw.checkpoint.empty()) options.checkpoint = raw.checkpoint;
     options.jsonDiagnostics = raw.diagnostics == "json";
 }

@@ -28,7 +28,8 @@ struct Options {
     std::vector<std::filesystem::path> allowedFolders;
     ProgressStyle progress = ProgressStyle::automatic;
     std::optional<std::filesystem::path> stats;
-    std::optional<std::filesystem::path> aov; ///< .exr
+    std::optional<std::filesystem::path> aov;  ///< .exr
+    std::optional<std::filesystem::path> hits; ///< .csv
     std::optional<std::filesystem::path> checkpoint;
     bool resume = false;
     bool partial = false; ///< write what the checkpoint holds, and render nothing

@@ -35,6 +35,8 @@ std::optional<std::string> overwritesScene(const Options& options) {
         return fmt::format("{}: the statistics would overwrite the scene", options.stats->string());
     if (options.aov && isScene(*options.aov))
         return fmt::format("{}: the AOV would overwrite the scene", options.aov->string());
+    if (options.hits && isScene(*options.hits))
+        return fmt::format("{}: the hits would overwrite the scene", options.hits->string());
     return std::nullopt;
 }
 

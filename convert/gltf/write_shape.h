@@ -28,9 +28,6 @@ ShownShape shownShape(const Body&, std::size_t body, const Surround& around);
 /// A plane is shown as a square that reaches so many times the scene's longest side from its middle.
 inline constexpr double planeReach = 30;
 
-/// Farthest that a chord may be from the surface, where the user does not say: a part of the radius.
-inline constexpr double defaultChordError = 1e-3;
-
 /// The triangles around the middle. `chordError`: in scene units.
 Tessellation tessellate(const Body&, const ShownShape&, const Scene&, std::optional<double> chordError);
 

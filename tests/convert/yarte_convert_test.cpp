@@ -38,6 +38,48 @@ TEST_F(YarteConvert, WritesSdlInSilence) {
     EXPECT_EQ(left(), std::vector<std::string>{"out.pov"});
 }
 
+TEST_F(YarteConvert, TessellatesCurvedShapesAndNothingElse) {
+    const std::string material = "material 0.1 0.1 0.1 0.5 0.5 0.5 0 0 0 1 0 0 0\n";
+    writeFile(folder_ / "in.yarte", "camera_position 0 0 9\nfocus_point 0 0 0\n" + material +
+                                        "sphere 1 2 3 2\nbox 0 0 0 1 1 1\nsphere 5 0 0 2\n"
+                                        "truncated_cone 0 1 0 2 8 4\n"
+                                        "backface_colour 0 0 0 1 0 0 0 0 0\n"
+                                        "instance_referential 1 0 0 0 0 1 0 -1 0\n");
+    const ProgramResult result =
+        run({"in.yarte", "out.yarte", "--tessellate", "--chord-error", "0.5", "--report", "ledger.json"});
+    EXPECT_EQ(result.exitCode, 0) << result.err;
+    EXPECT_THAT(result.err, HasSubstr("body 1 (sphere): surface approximated: 128 triangles"));
+    const std::string text = bytes("out.yarte");
+    // Two spheres share a mesh; the cone's middle is 2 above its base along its axis, which is z here.
+    EXPECT_THAT(text, HasSubstr("mesh out.1.pmf 1 1 0 0 0 1 0 0 0 1 1 2 3\n"));
+    EXPECT_THAT(text, HasSubstr("mesh out.1.pmf 1 1 0 0 0 1 0 0 0 1 5 0 0\n"));
+    EXPECT_THAT(text, HasSubstr("mesh out.2.pmf 1 1 0 0 0 0 1 0 -1 0 0 1 2\n"));
+    EXPECT_THAT(text, HasSubstr("box 0 0 0 1 1 1\n"));
+    EXPECT_THAT(text, HasSubstr("backface_colour 0 0 0 1 0 0 0 0 0"));
+    EXPECT_THAT(text, testing::Not(HasSubstr("instance_referential")));
+    const std::string rows = bytes("ledger.json");
+    EXPECT_THAT(rows, HasSubstr("triangles"));
+    EXPECT_EQ(run({"in.yarte", "strict.yarte", "--tessellate", "--strict"}).exitCode, 1);
+    EXPECT_EQ(run({"in.yarte", "a.yarte", "--tessellate", "--canonical"}).exitCode, 2);
+    // The finer, the more triangles; none is farther away than was asked for.
+    std::size_t last = 0;
+    for (const char* error : {"0.5", "0.05", "0.005"}) {
+        const Converted converted = [&] {
+            Options fine = options(folder_ / "in.yarte", folder_ / "fine.yarte");
+            fine.writing.tessellate = true;
+            fine.writing.chordError = std::stod(error);
+            return Converted(fine);
+        }();
+        const std::size_t size = converted.files.at(1).bytes.size();
+        EXPECT_GT(size, 2 * last) << error;
+        last = size;
+        for (const LedgerRow& row : converted.ledger.rows())
+            if (row.property == "surface") {
+                EXPECT_LE(row.bound.value(), std::stod(error)) << row.where;
+            }
+    }
+}
+
 TEST_F(YarteConvert, WritesToStandardOutput) {
     const ProgramResult result = run({shapes, "-", "--to", "pov"});
     EXPECT_EQ(result.exitCode, 0) << result.err;

@@ -101,6 +101,28 @@ TEST_F(Yarte, InFloatTheBytesAreTheSameInEveryModeAndTheAovThoseOfDouble) {
                 << workers << ' ' << side;
 }
 
+TEST_F(Yarte, TellsWhatRaysMeetInEitherPrecision) {
+    write("s.yarte", sphereScene);
+    for (const char* samples : {"1", "2"}) {
+        render({"s.yarte", "-o", "a.png", "--size", "3x1", "--hits", "a.csv", "--samples", samples});
+        EXPECT_EQ(bytes("a.csv"), "x,y,body,distance,normal_x,normal_y,normal_z\n"
+                                  "0,0,-1,0,0,0,0\n1,0,0,3,0,0,1\n2,0,-1,0,0,0,0\n");
+    }
+    const auto distance = [&](const char* precision) {
+        render(
+            {"s.yarte", "-o", "a.png", "--region", "5,5,6,6", "--hits", "a.csv", "--precision", precision});
+        const std::string text = bytes("a.csv");
+        EXPECT_THAT(text, HasSubstr("\n5,5,0,3."));
+        return std::stod(text.substr(text.find("\n5,5,0,") + 7));
+    };
+    const double exact = distance("double"), fast = distance("fast");
+    EXPECT_NE(exact, fast);
+    EXPECT_NEAR(exact, fast, 1e-5);
+    EXPECT_EQ(yarte({"s.yarte", "--hits", "s.yarte"}).exitCode, 2);
+    EXPECT_EQ(yarte({"s.yarte", "--hits", "nowhere/a.csv"}).exitCode, 3);
+    EXPECT_EQ(bytes("s.yarte"), sphereScene);
+}
+
 TEST_F(Yarte, WhatFloatCannotHoldIsTracedInDoubleWithAWarning) {
     write("s.yarte", std::string(sphereScene) + "camera_apertures 0.001 0.001\n");
     render({"s.yarte", "-o", "exact.pfm"});

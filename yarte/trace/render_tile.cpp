@@ -1,5 +1,6 @@
 #include "yarte/trace/render_tile.h"
 
+#include "yarte/trace/camera_hits.h"
 #include "yarte/trace/lanes/lanes.h"
 #include "yarte/trace/whitted.h"
 
@@ -27,6 +28,13 @@ void renderTileReference(const World& world, Tile tile, Colour* pixels, std::siz
             pixels[x - tile.x0] = whitted.colour(world.camera.through(x, y), counts);
         pixels += stride;
     }
+}
+
+std::vector<CameraHit> cameraHits(const World& world, Tile tile) {
+    std::vector<CameraHit> hits(static_cast<std::size_t>(tile.width()) *
+                                static_cast<std::size_t>(tile.height()));
+    trace::cameraHitsInLanes(world, tile, hits.data());
+    return hits;
 }
 
 } // namespace yarte

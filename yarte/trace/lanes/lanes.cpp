@@ -20,9 +20,13 @@ void renderTileInDouble(const World& world, Tile tile, Colour* pixels, std::size
                         TraceTimes* times) {
     inDouble::renderTile(world, tile, pixels, stride, counts, times);
 }
+void cameraHitsInDouble(const World& world, Tile tile, CameraHit* to) {
+    inDouble::cameraHits(world, tile, to);
+}
 // Of lanes_float.cpp.
 void renderTileInFloat(const World& world, Tile tile, Colour* pixels, std::size_t stride, RayCounts& counts,
                        TraceTimes* times);
+void cameraHitsInFloat(const World& world, Tile tile, CameraHit* to);
 
 } // namespace yarte::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -35,6 +39,7 @@ namespace {
 struct Target {
     const char* name; ///< as Highway calls it, or "baseline"
     decltype(&HWY_STATIC_DISPATCH(renderTileInDouble)) renderInDouble, renderInFloat;
+    decltype(&HWY_STATIC_DISPATCH(cameraHitsInDouble)) hitsInDouble, hitsInFloat;
     bool (*runsHere)();
 };
 
@@ -59,15 +64,19 @@ bool always() { return true; }
 /// Best first.
 constexpr Target targets[] = {
 #if HWY_TARGETS & HWY_AVX3
-    {"AVX3", &N_AVX3::renderTileInDouble, &N_AVX3::renderTileInFloat, hasAvx3},
+    {"AVX3", &N_AVX3::renderTileInDouble, &N_AVX3::renderTileInFloat, &N_AVX3::cameraHitsInDouble,
+     &N_AVX3::cameraHitsInFloat, hasAvx3},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {"AVX2", &N_AVX2::renderTileInDouble, &N_AVX2::renderTileInFloat, hasAvx2},
+    {"AVX2", &N_AVX2::renderTileInDouble, &N_AVX2::renderTileInFloat, &N_AVX2::cameraHitsInDouble,
+     &N_AVX2::cameraHitsInFloat, hasAvx2},
 #endif
 #if HWY_TARGETS & HWY_SSE4
-    {"SSE4", &N_SSE4::renderTileInDouble, &N_SSE4::renderTileInFloat, hasSse4},
+    {"SSE4", &N_SSE4::renderTileInDouble, &N_SSE4::renderTileInFloat, &N_SSE4::cameraHitsInDouble,
+     &N_SSE4::cameraHitsInFloat, hasSse4},
 #endif
-    {"baseline", &HWY_STATIC_DISPATCH(renderTileInDouble), &HWY_STATIC_DISPATCH(renderTileInFloat), always},
+    {"baseline", &HWY_STATIC_DISPATCH(renderTileInDouble), &HWY_STATIC_DISPATCH(renderTileInFloat),
+     &HWY_STATIC_DISPATCH(cameraHitsInDouble), &HWY_STATIC_DISPATCH(cameraHitsInFloat), always},
 };
 
 const Target* best() {
@@ -83,6 +92,11 @@ void renderTileInLanes(const World& world, Tile tile, Colour* pixels, std::size_
     const auto render =
         world.precision == Precision::inDouble ? chosen->renderInDouble : chosen->renderInFloat;
     render(world, tile, pixels, stride, counts, times);
+}
+
+void cameraHitsInLanes(const World& world, Tile tile, CameraHit* to) {
+    const auto hits = world.precision == Precision::inDouble ? chosen->hitsInDouble : chosen->hitsInFloat;
+    hits(world, tile, to);
 }
 
 std::vector<std::string> laneTargets() {

@@ -2,6 +2,7 @@
 // Whitted.
 #pragma once
 
+#include "yarte/trace/camera_hits.h"
 #include "yarte/trace/render_tile.h"
 
 #include <string>
@@ -11,6 +12,9 @@ namespace yarte::trace {
 
 /// As renderTile, on the best instruction set of this machine; adds to the ticks of `times`, if given.
 void renderTileInLanes(const World&, Tile, Colour* pixels, std::size_t stride, RayCounts&, TraceTimes* times);
+
+/// As cameraHits, by the same kernels; `to` has room for each pixel of the tile.
+void cameraHitsInLanes(const World&, Tile, CameraHit* to);
 
 /// The instruction sets that this machine can run, best first ("AVX3", "AVX2", "SSE4", ...).
 std::vector<std::string> laneTargets();

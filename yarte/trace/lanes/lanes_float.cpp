@@ -16,6 +16,7 @@ void renderTileInFloat(const World& world, Tile tile, Colour* pixels, std::size_
                        TraceTimes* times) {
     inFloat::renderTile(world, tile, pixels, stride, counts, times);
 }
+void cameraHitsInFloat(const World& world, Tile tile, CameraHit* to) { inFloat::cameraHits(world, tile, to); }
 
 } // namespace yarte::trace::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -7,6 +7,7 @@
 #define YARTE_TRACE_LANES_WHITTED_INL_H
 #endif
 
+#include "yarte/trace/lanes/camera-inl.h"
 #include "yarte/trace/lanes/ray_queue.h"
 #include "yarte/trace/lanes/shading-inl.h"
 
@@ -77,13 +78,12 @@ private:
         counts_.camera += sums_.size();
     }
 
-    /// CameraRays::through for a vector of pixels, whose x and y stand where the direction goes.
+    /// For a vector of pixels, whose x and y stand where the direction goes.
     HWY_INLINE void aimCameraRays(std::size_t i) {
         const auto put = [&](RayQueue::Component c, V value) HWY_ATTR { store(value, current_.end(c) + i); };
         const CameraRays& camera = world_.camera;
-        const V u = (load(current_.end(RayQueue::dx) + i) + set(0.5)) / set(camera.width) - set(0.5);
-        const V v = set(0.5) - (load(current_.end(RayQueue::dy) + i) + set(0.5)) / set(camera.height);
-        const V3 d = normalised(spread(camera.forward) + spread(camera.right) * u + spread(camera.up) * v);
+        const V3 d = cameraDirections(camera, load(current_.end(RayQueue::dx) + i),
+                                      load(current_.end(RayQueue::dy) + i));
         put(RayQueue::ox, set(camera.position.x)), put(RayQueue::oy, set(camera.position.y));
         put(RayQueue::oz, set(camera.position.z));
         put(RayQueue::dx, d.x), put(RayQueue::dy, d.y), put(RayQueue::dz, d.z);
