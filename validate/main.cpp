@@ -1,4 +1,4 @@
-// yarte-validate: renders scenes with YARTE and POV-Ray, compares, and reports.
+// yarte-validate: renders scenes with YARTE and POV-Ray, compares or measures, and reports.
 #include "validate/baseline.h"
 #include "validate/options.h"
 #include "validate/report_annotations.h"
@@ -8,10 +8,16 @@
 #include "validate/report_markdown.h"
 #include "validate/report_text.h"
 #include "validate/run.h"
+#include "validate/speed/speed_html.h"
+#include "validate/speed/speed_json.h"
+#include "validate/speed/speed_plots.h"
+#include "validate/speed/speed_run.h"
+#include "validate/speed/speed_text.h"
 #include "yarte/base/diagnostic.h"
 #include "yarte/base/file.h"
 #include "yarte/version.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <new>
@@ -74,12 +80,13 @@ std::string consoleLine(const CaseReport& c, bool coloured) {
     return line + "\n";
 }
 
-/// Before anything is rendered: a report that cannot be written is found out now.
-void prepareFolder(const fs::path& folder) {
+/// Before anything is rendered: a report that cannot be written is found out now. `inner`: what it has a
+/// folder for.
+void prepareFolder(const fs::path& folder, const char* inner) {
     std::error_code error;
-    fs::create_directories(folder / "images", error);
+    fs::create_directories(folder / inner, error);
     if (error) throw FileError(folder, error.message());
-    if (::access((folder / "images").c_str(), W_OK | X_OK) != 0)
+    if (::access((folder / inner).c_str(), W_OK | X_OK) != 0)
         throw FileError(folder, std::generic_category().message(errno));
 }
 
@@ -91,7 +98,7 @@ void writeReport(const Report& report, const fs::path& folder) {
 }
 
 int validateAll(const Options& options) {
-    prepareFolder(options.output);
+    prepareFolder(options.output, "images");
     const StopSignal stop;
     const bool coloured = ::isatty(STDOUT_FILENO) != 0 && environment("NO_COLOR").empty();
     const RunResult result = runCases(options, locatePrograms(options), stop,
@@ -109,6 +116,21 @@ int validateAll(const Options& options) {
     case Verdict::error: break;
     }
     return exitCouldNotRun;
+}
+
+int measureSpeed(const Options& options) {
+    prepareFolder(options.output, "plots");
+    const StopSignal stop;
+    const SpeedReport report = runSpeed(options, locatePrograms(options), stop,
+                                        [](const SpeedCase& c) { print(stdout, speedCaseText(c)); });
+    for (const SpeedCase& c : report.cases)
+        for (const NamedPlot& plot : plotsOf(c)) writeFile(options.output / plot.file, svgFile(plot.plot));
+    writeFile(options.output / "speed.json", speedJson(report));
+    writeFile(options.output / "index.html", speedHtml(report));
+    print(stdout, fmt::format("report: {}\n", (options.output / "index.html").string()));
+    const bool isComplete = std::all_of(report.cases.begin(), report.cases.end(),
+                                        [](const SpeedCase& c) { return c.message.empty(); });
+    return isComplete ? exitGood : exitCouldNotRun;
 }
 
 /// Says why the run ends without a report.
@@ -132,7 +154,7 @@ int main(int argc, char** argv) {
         return parsed.exitCode;
     }
     try {
-        return validateAll(*parsed.options);
+        return parsed.options->speed ? measureSpeed(*parsed.options) : validateAll(*parsed.options);
     } catch (const Interrupted& interrupted) {
         couldNotRun(*parsed.options, interrupted.what());
         return exitSignal + interrupted.signal();

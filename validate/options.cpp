@@ -3,7 +3,9 @@
 #include "yarte/version.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace yarte::validate {
 
@@ -28,8 +30,9 @@ void declare(CLI::App& app, Options& options) {
     app.get_formatter()->column_width(26);
     app.set_version_flag("--version", fmt::format("yarte-validate {}", version),
                          "Print the version and exit");
-    app.footer("Exit codes: 0 all pass, 1 a picture differs, 2 wrong usage, 3 a case could not be decided,\n"
-               "130 interrupted. A scene whose name is \"images\" is given as ./images.");
+    app.footer(
+        "Exit codes: 0 all pass, 1 a picture differs, 2 wrong usage, 3 a case could not be decided,\n"
+        "130 interrupted. A scene whose name is \"images\" or \"speed\" is given as ./images, ./speed.");
     app.add_option("SCENE", options.scenes, "Scenes to render")->type_name("");
     app.add_option("-o,--output", options.output, "Folder for the report and its images")
         ->type_name("DIR")
@@ -85,6 +88,71 @@ CLI::App& declareImages(CLI::App& app, Options& options) {
     return images;
 }
 
+CLI::App& declareSpeed(CLI::App& app, Options& options, SpeedOptions& speed, bool& noTessellation) {
+    CLI::App& command = *app.add_subcommand("speed", "Measure speed against error, in diagrams");
+    command.fallthrough();
+    command.get_formatter()->column_width(26);
+    command.footer(
+        "--processes is 1 unless it is given. Exit codes: 0 measured, 2 wrong usage, 3 a scene could not be\n"
+        "measured, 130 interrupted.");
+    command.add_option("SCENE", options.scenes, "Scenes to measure")->required()->type_name("");
+    command.add_option("--samples", speed.samples, "Rays a pixel, N x N, of the pictures")
+        ->type_name("N,...")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(1, 255)));
+    command.add_option("--reference", speed.referenceSamples, "Rays a pixel, N x N, of the reference")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(2, 256)));
+    command.add_option("--runs", speed.runs, "Runs of each program; times are medians")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(1, 1000)));
+    command.add_option("--rays", speed.rays, "Single rays compared with the truth, at most; 0: none")
+        ->type_name("N")
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(0, 1'000'000)));
+    command
+        .add_option("--chord-errors", speed.chordErrors,
+                    "Of triangles for curved shapes, in parts of the largest radius")
+        ->type_name("E,...")
+        ->delimiter(',')
+        ->capture_default_str()
+        ->check(quiet(CLI::Range(1e-6, 1.0)));
+    command.add_flag("--no-tessellation", noTessellation, "Measure no triangles for curved shapes");
+    command.add_flag("--no-povray", speed.noPovray, "Measure YARTE only");
+    return command;
+}
+
+template <class Number, class Less>
+void sortOnce(std::vector<Number>& numbers, Less less) {
+    std::sort(numbers.begin(), numbers.end(), less);
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// Throws CLI::ValidationError.
+void complete(Options& options, SpeedOptions speed, bool noTessellation) {
+    sortOnce(speed.samples, std::less<>());
+    sortOnce(speed.chordErrors, std::greater<>());
+    if (speed.samples.back() >= speed.referenceSamples)
+        throw CLI::ValidationError(
+            "--samples", fmt::format("must be below those of the reference, {}", speed.referenceSamples));
+    if (noTessellation) speed.chordErrors.clear();
+    if (speed.noPovray && !options.povray.empty())
+        throw CLI::ValidationError("--no-povray", "and --povray contradict each other");
+    if (options.processes == 0)
+        throw CLI::ValidationError("--processes", "must be at least 1: POV-Ray has as many threads");
+    const auto refuse = [](const char* name, bool isGiven) {
+        if (isGiven) throw CLI::ValidationError(name, "is for comparisons, not for speed");
+    };
+    refuse("--jobs", options.jobs.has_value());
+    refuse("--tolerance", !options.tolerance.empty());
+    refuse("--cache", !options.cache.empty());
+    refuse("--baseline", !options.baseline.empty());
+    options.speed = std::move(speed);
+}
+
 } // namespace
 
 ParsedOptions parseOptions(int argc, const char* const* argv) {
@@ -94,15 +162,23 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
     Options options;
     declare(app, options);
     const CLI::App& images = declareImages(app, options);
+    SpeedOptions speedOptions;
+    bool noTessellation = false;
+    const CLI::App& speed = declareSpeed(app, options, speedOptions, noTessellation);
     try {
         app.parse(argc, argv);
         if (images.parsed() && !options.scenes.empty())
             throw CLI::ValidationError("images", "compares two files and takes no scenes");
         if (images.parsed() && !options.baseline.empty())
             throw CLI::ValidationError("--baseline", "is for scenes, not for images");
+        if (speed.parsed()) complete(options, std::move(speedOptions), noTessellation);
         if (!images.parsed() && options.scenes.empty()) throw CLI::RequiredError("SCENE");
     } catch (const CLI::CallForHelp&) {
-        return {std::nullopt, images.parsed() ? images.help("yarte-validate") : app.help(), 0};
+        return {std::nullopt,
+                images.parsed()  ? images.help("yarte-validate")
+                : speed.parsed() ? speed.help("yarte-validate")
+                                 : app.help(),
+                0};
     } catch (const CLI::CallForVersion& call) {
         return {std::nullopt, fmt::format("{}\n", call.what()), 0};
     } catch (const CLI::ParseError& error) {

@@ -10,10 +10,21 @@
 
 namespace yarte::validate {
 
+/// Of `speed`.
+struct SpeedOptions {
+    std::vector<int> samples{1, 2, 3, 4, 6, 8}; ///< N, ascending, below the reference's
+    int referenceSamples = 16;
+    int runs = 3;
+    int rays = 4096;                                                        ///< 0: none
+    std::vector<double> chordErrors{0.1, 0.03, 0.01, 0.003, 0.001, 0.0003}; ///< descending; empty: none
+    bool noPovray = false;
+};
+
 struct Options {
     std::vector<std::filesystem::path> scenes; ///< empty in `images` mode
     std::filesystem::path imageA, imageB;      ///< of `images` mode
     Encoding integers = Encoding::linear;      ///< of `images` mode
+    std::optional<SpeedOptions> speed;         ///< `speed` was asked for
     std::filesystem::path output;              ///< the report's folder
     std::string size;                          ///< "WxH" or empty
     std::optional<int> processes;

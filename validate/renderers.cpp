@@ -21,6 +21,10 @@ constexpr std::uint64_t povrayMemoryLimit = 8ull << 30;
 constexpr const char* yarteStatisticsFile = "yarte.json";
 constexpr const char* aovFile = "aov.exr";
 constexpr const char* aovPictureFile = "aov.pfm"; // not the one that was compared: nothing may touch that
+constexpr const char* hitsFile = "hits.csv";
+constexpr const char* hitsPictureFile = "hits.pfm";
+constexpr const char* ledgerFile = "ledger.json";
+constexpr const char* povrayProgramFile = "rays.pov";
 constexpr const char* povrayStatisticsFile = "povray-statistics.txt";
 constexpr const char* povrayErrorFile = "povray-error.txt";
 
@@ -66,6 +70,8 @@ std::vector<std::string> yarteCommand(const RenderSettings& settings, const std:
     if (!settings.size.empty()) command.insert(command.end(), {"--size", settings.size});
     if (settings.processes)
         command.insert(command.end(), {"--processes", std::to_string(*settings.processes)});
+    if (settings.samples != 1) command.insert(command.end(), {"--samples", std::to_string(settings.samples)});
+    if (settings.fast) command.insert(command.end(), {"--precision", "fast"});
     return command;
 }
 
@@ -149,7 +155,9 @@ Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
     const ProgramResult result = workshop.run(command);
     times.wall = result.seconds;
     demandSuccess("yarte", result, result.errorText);
-    times.trace = numberInJson(textIfThere(workshop.file(yarteStatisticsFile)), "trace_s");
+    const std::string statistics = textIfThere(workshop.file(yarteStatisticsFile));
+    times.trace = numberInJson(statistics, "trace_s");
+    times.build = numberInJson(statistics, "build_s");
     return pictureOf(workshop, "yarte", yartePictureFile);
 }
 
@@ -162,6 +170,30 @@ Layers renderAov(Workshop& workshop, const RenderSettings& settings, const std::
     } catch (const ImageError& error) {
         throw CaseError(cleanText(error.what()));
     }
+}
+
+std::string renderHits(Workshop& workshop, const RenderSettings& settings,
+                       const std::filesystem::path& scene) {
+    const ProgramResult result =
+        workshop.run(yarteCommand(settings, scene, {"-o", hitsPictureFile, "--hits", hitsFile}));
+    demandSuccess("yarte --hits", result, result.errorText);
+    return textIfThere(workshop.file(hitsFile));
+}
+
+void canonicalScene(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene) {
+    const ProgramResult result = workshop.run(
+        {found(settings.programs.convert, "yarte-convert", "--convert"), scene, canonicalSceneFile});
+    demandSuccess("yarte-convert", result, result.errorText);
+}
+
+Conversion tessellateScene(Workshop& workshop, const RenderSettings& settings,
+                           const std::filesystem::path& scene, double chordError) {
+    const ProgramResult result = workshop.run({found(settings.programs.convert, "yarte-convert", "--convert"),
+                                               scene, tessellatedSceneFile, "--tessellate", "--chord-error",
+                                               printNumber(chordError), "--report", ledgerFile});
+    demandSuccess("yarte-convert --tessellate", result, result.errorText);
+    const LedgerTotals totals = tessellationInLedger(textIfThere(workshop.file(ledgerFile)));
+    return {result.seconds, totals.triangles, totals.deviation};
 }
 
 void convertForPovray(Workshop& workshop, const RenderSettings& settings, const std::filesystem::path& scene,
@@ -191,6 +223,12 @@ Picture renderWithPovray(Workshop& workshop, const RenderSettings& settings,
     Picture picture = pictureOf(workshop, "povray", povrayPictureFile); // before it is kept: it can be read
     settings.cache->store(input, {readFile(workshop.file(povrayPictureFile)), times});
     return picture;
+}
+
+std::string runPovrayProgram(Workshop& workshop, const RenderSettings& settings, const std::string& sdl) {
+    writeFile(workshop.file(povrayProgramFile), sdl);
+    runPovray(workshop, povrayCommand(settings, povrayProgramFile, 1, 1));
+    return textIfThere(workshop.file(rayAnswersFile));
 }
 
 std::optional<double> povraySeconds(std::string_view statistics, std::string_view label) {

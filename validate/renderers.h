@@ -23,6 +23,9 @@ struct RenderSettings {
     std::string size;             ///< "WxH"; empty: the scene's
     std::optional<int> processes; ///< for both renderers; none: one per core
     std::optional<PovrayCache> cache;
+    // Of YARTE:
+    int samples = 1;   ///< N x N rays a pixel
+    bool fast = false; ///< --precision fast
 };
 
 /// Files that the renderers leave in the workshop; reports keep them.
@@ -30,6 +33,10 @@ inline constexpr const char* yartePictureFile = "yarte.pfm";
 inline constexpr const char* povrayPictureFile = "povray.ppm";
 inline constexpr const char* povraySceneFile = "scene.pov";
 inline constexpr const char* importedSceneFile = "imported.yarte";
+inline constexpr const char* canonicalSceneFile = "canonical.yarte";
+inline constexpr const char* tessellatedSceneFile = "tessellated.yarte";
+/// What a scene for runPovrayProgram writes.
+inline constexpr const char* rayAnswersFile = "answers.csv";
 
 /// True for a scene in POV-Ray's own language.
 bool isPovrayScene(const std::filesystem::path& scene);
@@ -44,6 +51,24 @@ Picture renderWithYarte(Workshop&, const RenderSettings&, const std::filesystem:
 /// What YARTE knows of the pixels of its picture of `scene`. Throws CaseError.
 Layers renderAov(Workshop&, const RenderSettings&, const std::filesystem::path& scene);
 
+/// What the camera rays of its picture of `scene` meet: the text of `yarte --hits`. Throws CaseError.
+std::string renderHits(Workshop&, const RenderSettings&, const std::filesystem::path& scene);
+
+/// Writes `scene` with its meshes into the workshop, as canonicalSceneFile: nothing else need be read to know
+/// all of it. Throws CaseError.
+void canonicalScene(Workshop&, const RenderSettings&, const std::filesystem::path& scene);
+
+struct Conversion {
+    double seconds = 0;        ///< wall clock
+    std::size_t triangles = 0; ///< of all curved shapes, each counted where it stands
+    double deviation = 0;      ///< the largest, in scene units
+};
+
+/// Writes `scene` with triangles for its curved shapes, no farther than `chordError` (scene units) from them,
+/// as tessellatedSceneFile. Throws CaseError.
+Conversion tessellateScene(Workshop&, const RenderSettings&, const std::filesystem::path& scene,
+                           double chordError);
+
 /// Writes `scene` for POV-Ray with its light times `exposure`, as povraySceneFile. Throws CaseError.
 void convertForPovray(Workshop&, const RenderSettings&, const std::filesystem::path& scene, double exposure);
 
@@ -52,6 +77,10 @@ void convertForPovray(Workshop&, const RenderSettings&, const std::filesystem::p
 /// cache. povraySceneFile is what convertForPovray wrote. Throws CaseError.
 Picture renderWithPovray(Workshop&, const RenderSettings&, const std::filesystem::path& scene, int width,
                          int height, PovrayTimes&);
+
+/// Runs a scene in POV-Ray's language for what it writes to rayAnswersFile, not for its picture. Throws
+/// CaseError.
+std::string runPovrayProgram(Workshop&, const RenderSettings&, const std::string& sdl);
 
 /// The seconds after `label` in the statistics that POV-Ray writes ("Parse Time", "Trace Time"), to a
 /// millisecond.

@@ -1,5 +1,7 @@
 #include "validate/report_json.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace yarte::validate {
@@ -111,6 +113,20 @@ std::optional<double> numberInJson(std::string_view text, std::string_view key) 
     const auto found = json.find(std::string(key));
     if (found == json.end() || !found->is_number()) return std::nullopt;
     return found->get<double>();
+}
+
+LedgerTotals tessellationInLedger(std::string_view text) {
+    LedgerTotals totals;
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object()) return totals;
+    for (const auto& row : json.value("rows", nlohmann::json::array())) {
+        if (row.value("property", "") != "surface" || !row.at("bound").is_number()) continue;
+        // "1234 triangles"
+        const std::string detail = row.at("detail");
+        totals.triangles += std::strtoull(detail.c_str(), nullptr, 10);
+        totals.deviation = std::max(totals.deviation, row.at("bound").get<double>());
+    }
+    return totals;
 }
 
 } // namespace yarte::validate

@@ -1,27 +1,13 @@
 #include "validate/report_junit.h"
 
 #include "validate/report_text.h"
+#include "validate/text.h"
 
 #include <fmt/format.h>
 
 namespace yarte::validate {
 
 namespace {
-
-/// For text and for attributes of one line in double quotes.
-std::string escaped(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        switch (c) {
-        case '&': result += "&amp;"; break;
-        case '<': result += "&lt;"; break;
-        case '>': result += "&gt;"; break;
-        case '"': result += "&quot;"; break;
-        default: result += c;
-        }
-    }
-    return result;
-}
 
 double seconds(const CaseReport& report) {
     double sum = 0;
@@ -51,8 +37,8 @@ std::string problem(const CaseReport& report) {
     if (report.verdict == Verdict::pass) return {};
     const char* const element = report.verdict == Verdict::fail ? "failure" : "error";
     const std::string firstLine = report.message.substr(0, report.message.find('\n'));
-    return fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element, escaped(firstLine),
-                       name(report.verdict), escaped(problemText(report)));
+    return fmt::format("      <{0} message=\"{1}\" type=\"{2}\">{3}</{0}>\n", element, markupText(firstLine),
+                       name(report.verdict), markupText(problemText(report)));
 }
 
 } // namespace
@@ -68,8 +54,8 @@ std::string junitReport(const Report& report) {
         xml += fmt::format(
             "    <testcase classname=\"yarte-validate\" name=\"{}\" file=\"{}\" time=\"{:.3f}\">\n{}"
             "      <system-out>{}</system-out>\n    </testcase>\n",
-            escaped(c.name), escaped(c.source), seconds(c), problem(c),
-            escaped(caseLine(c) + "\n" + commandLines(c)));
+            markupText(c.name), markupText(c.source), seconds(c), problem(c),
+            markupText(caseLine(c) + "\n" + commandLines(c)));
     return xml + "  </testsuite>\n</testsuites>\n";
 }
 

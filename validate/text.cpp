@@ -50,6 +50,20 @@ std::string_view trimmedEnd(std::string_view text) {
     return text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
 }
 
+std::string markupText(std::string_view text) {
+    std::string result;
+    for (const char c : text) {
+        switch (c) {
+        case '&': result += "&amp;"; break;
+        case '<': result += "&lt;"; break;
+        case '>': result += "&gt;"; break;
+        case '"': result += "&quot;"; break;
+        default: result += c;
+        }
+    }
+    return result;
+}
+
 std::string shellCommand(const std::vector<std::string>& arguments) {
     std::string line;
     for (const std::string& argument : arguments) {
