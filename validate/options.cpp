@@ -132,7 +132,8 @@ void sortOnce(std::vector<Number>& numbers, Less less) {
 }
 
 /// Throws CLI::ValidationError.
-void complete(Options& options, SpeedOptions speed, bool noTessellation) {
+void complete(Options& options, SpeedOptions speed, bool areSamplesGiven, bool noTessellation) {
+    if (!areSamplesGiven) std::erase_if(speed.samples, [&](int n) { return n >= speed.referenceSamples; });
     sortOnce(speed.samples, std::less<>());
     sortOnce(speed.chordErrors, std::greater<>());
     if (speed.samples.back() >= speed.referenceSamples)
@@ -171,7 +172,8 @@ ParsedOptions parseOptions(int argc, const char* const* argv) {
             throw CLI::ValidationError("images", "compares two files and takes no scenes");
         if (images.parsed() && !options.baseline.empty())
             throw CLI::ValidationError("--baseline", "is for scenes, not for images");
-        if (speed.parsed()) complete(options, std::move(speedOptions), noTessellation);
+        if (speed.parsed())
+            complete(options, std::move(speedOptions), speed.count("--samples") > 0, noTessellation);
         if (!images.parsed() && options.scenes.empty()) throw CLI::RequiredError("SCENE");
     } catch (const CLI::CallForHelp&) {
         return {std::nullopt,

@@ -33,7 +33,7 @@ struct CommandRecord {
 
 /// Seconds; what a program did not tell is missing.
 struct YarteTimes {
-    std::optional<double> trace, wall, build;
+    std::optional<double> trace, wall, build{};
 };
 struct PovrayTimes {
     std::optional<double> parse, trace, wall;

@@ -16,11 +16,11 @@ namespace {
 /// More triangles are not tried: their file alone has a hundred megabytes.
 constexpr std::size_t mostTriangles = 1'000'000;
 
-/// A chord error in the making.
+/// What is measured of one chord error, or of the exact shapes.
 struct Step {
     Conversion conversion{};
     std::optional<Picture> picture{};
-    Timing convert{}, build{}, trace{};
+    Timing convert{}, build{}, trace{}, wall{};
 };
 
 double radiusOf(const Shape& shape) {
@@ -52,19 +52,18 @@ Tessellation measureTessellation(Workshop& workshop, const SpeedSettings& settin
         result.note = "The scene has no curved shapes";
         return result;
     }
-    const auto render = [&](const std::filesystem::path& file, Timing& build, Timing& trace) {
+    const auto render = [&](const std::filesystem::path& file, Step& step) {
         YarteTimes times;
         Picture picture = renderWithYarte(workshop, settings.render, file, times);
-        build.add(times.build), trace.add(times.trace);
+        step.build.add(times.build), step.trace.add(times.trace), step.wall.add(times.wall);
         return picture;
     };
     std::vector<double> chordErrors;
     for (const double part : settings.chordErrors) chordErrors.push_back(part * result.radius);
     std::vector<Step> steps(chordErrors.size());
-    Timing exactBuild, exactTrace;
-    std::optional<Picture> exact;
+    Step exact;
     for (int run = 0; run < settings.runs; ++run) {
-        exact = render(scene, exactBuild, exactTrace);
+        exact.picture = render(scene, exact);
         for (std::size_t i = 0; i < steps.size(); ++i) {
             Step& step = steps[i];
             step.conversion = tessellateScene(workshop, settings.render, scene, chordErrors[i]);
@@ -74,16 +73,17 @@ Tessellation measureTessellation(Workshop& workshop, const SpeedSettings& settin
                 steps.resize(i);
                 break;
             }
-            step.picture = render(tessellatedSceneFile, step.build, step.trace);
+            step.picture = render(tessellatedSceneFile, step);
         }
     }
-    result.exactBuild = exactBuild.seconds(), result.exactTrace = exactTrace.seconds();
+    result.exactBuild = exact.build.seconds(), result.exactTrace = exact.trace.seconds();
+    result.exactWall = exact.wall.seconds();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const Step& step = steps[i];
         checkFinite({"the picture of triangles", *step.picture});
         result.points.push_back({chordErrors[i], step.conversion.deviation, step.conversion.triangles,
                                  step.convert.seconds(), step.build.seconds(), step.trace.seconds(),
-                                 pictureError(*step.picture, *exact)});
+                                 step.wall.seconds(), pictureError(*step.picture, *exact.picture)});
     }
     return result;
 }

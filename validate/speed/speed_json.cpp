@@ -43,13 +43,16 @@ Json trianglesJson(const TessellationPoint& point) {
     return {{"chord_error", point.chordError},     {"deviation", point.deviation},
             {"triangles", point.triangles},        {"convert_s", secondsJson(point.convert)},
             {"build_s", secondsJson(point.build)}, {"trace_s", secondsJson(point.trace)},
-            {"error", errorJson(point.error)}};
+            {"wall_s", secondsJson(point.wall)},   {"error", errorJson(point.error)}};
 }
 
 Json tessellationJson(const Tessellation& t) {
     return {{"note", t.note},
             {"largest_radius", t.radius},
-            {"exact", {{"build_s", secondsJson(t.exactBuild)}, {"trace_s", secondsJson(t.exactTrace)}}},
+            {"exact",
+             {{"build_s", secondsJson(t.exactBuild)},
+              {"trace_s", secondsJson(t.exactTrace)},
+              {"wall_s", secondsJson(t.exactWall)}}},
             {"points", list(t.points, trianglesJson)}};
 }
 

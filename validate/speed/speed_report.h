@@ -41,15 +41,16 @@ struct TessellationPoint {
     double deviation = 0;      ///< as measured: the largest of all shapes, in scene units
     std::size_t triangles = 0; ///< of all curved shapes, each counted where it stands
     Seconds convert;           ///< yarte-convert's whole run
-    Seconds build, trace;      ///< yarte's
+    Seconds build, trace;      ///< yarte's: making its tree, casting rays
+    Seconds wall;              ///< yarte's whole run, with reading the triangles
     PictureError error;        ///< against the exact shapes at as many samples
 };
 
 struct Tessellation {
-    std::string note;                      ///< why there are no points, or not all; else empty
-    double radius = 0;                     ///< the largest of the curved shapes, in scene units
-    Seconds exactBuild, exactTrace;        ///< of the exact shapes
-    std::vector<TessellationPoint> points; ///< the coarsest first
+    std::string note;                          ///< why there are no points, or not all; else empty
+    double radius = 0;                         ///< the largest of the curved shapes, in scene units
+    Seconds exactBuild, exactTrace, exactWall; ///< of the exact shapes
+    std::vector<TessellationPoint> points;     ///< the coarsest first
 };
 
 /// The middle and the worst of all rays.
