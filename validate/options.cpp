@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <functional>
 
 namespace yarte::validate {
@@ -93,13 +94,15 @@ CLI::App& declareSpeed(CLI::App& app, Options& options, SpeedOptions& speed, boo
     command.fallthrough();
     command.get_formatter()->column_width(26);
     command.footer(
-        "--processes is 1 unless it is given. Exit codes: 0 measured, 2 wrong usage, 3 a scene could not be\n"
-        "measured, 130 interrupted.");
+        "-o, --size, --processes (1 unless it is given), --time-limit and the programs' places are as\n"
+        "for comparisons: see yarte-validate --help. Exit codes: 0 measured, 2 wrong usage, 3 a scene\n"
+        "could not be measured, 130 interrupted.");
     command.add_option("SCENE", options.scenes, "Scenes to measure")->required()->type_name("");
     command.add_option("--samples", speed.samples, "Rays a pixel, N x N, of the pictures")
         ->type_name("N,...")
         ->delimiter(',')
-        ->capture_default_str()
+        ->allow_extra_args(false)
+        ->default_str(fmt::format("{}", fmt::join(speed.samples, ",")))
         ->check(quiet(CLI::Range(1, 255)));
     command.add_option("--reference", speed.referenceSamples, "Rays a pixel, N x N, of the reference")
         ->type_name("N")
@@ -118,7 +121,8 @@ CLI::App& declareSpeed(CLI::App& app, Options& options, SpeedOptions& speed, boo
                     "Of triangles for curved shapes, in parts of the largest radius")
         ->type_name("E,...")
         ->delimiter(',')
-        ->capture_default_str()
+        ->allow_extra_args(false)
+        ->default_str(fmt::format("{}", fmt::join(speed.chordErrors, ",")))
         ->check(quiet(CLI::Range(1e-6, 1.0)));
     command.add_flag("--no-tessellation", noTessellation, "Measure no triangles for curved shapes");
     command.add_flag("--no-povray", speed.noPovray, "Measure YARTE only");

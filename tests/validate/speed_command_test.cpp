@@ -31,9 +31,9 @@ protected:
     int speed(const std::vector<std::string>& more, const std::vector<std::string>& scenes = {"scene.yarte"},
               const std::vector<std::string>& environment = {}) {
         std::vector<std::string> arguments{"speed"};
-        arguments.insert(arguments.end(), scenes.begin(), scenes.end());
         arguments.insert(arguments.end(), {"-o", "out", "--runs", "1"});
         arguments.insert(arguments.end(), more.begin(), more.end());
+        arguments.insert(arguments.end(), scenes.begin(), scenes.end());
         return validate(arguments, environment);
     }
     json report() const { return json::parse(readFile(folder_ / "out/speed.json")); }

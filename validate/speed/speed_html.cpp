@@ -82,8 +82,12 @@ std::string plotsText(const std::vector<NamedPlot>& plots, const std::string& pr
     return text.empty() ? "" : fmt::format("<div class=\"plots\">\n{}</div>\n", text);
 }
 
-std::string section(const char* title, const std::string& explanation, const std::string& content) {
-    return fmt::format("<h3>{}</h3>\n<p class=\"faint\">{}</p>\n{}", title, explanation, content);
+/// What was not measured has its note and no more.
+std::string section(const char* title, const std::string& explanation, const std::string& reason,
+                    const std::string& content) {
+    return fmt::format("<h3>{}</h3>\n{}{}{}", title,
+                       content.empty() ? "" : fmt::format("<p class=\"faint\">{}</p>\n", explanation),
+                       note(reason), content);
 }
 
 std::string caseText(const SpeedCase& c) {
@@ -93,7 +97,6 @@ std::string caseText(const SpeedCase& c) {
     if (!c.message.empty())
         return text +
                fmt::format("<pre class=\"message error\">{}</pre>\n</section>\n", markupText(c.message));
-    text += note(c.note);
     const std::vector<NamedPlot> plots = plotsOf(c);
     const std::string prefix = fmt::format("plots/{}-", c.name);
     text +=
@@ -101,7 +104,7 @@ std::string caseText(const SpeedCase& c) {
                 fmt::format("What the rays through the centres of {} × {} pixels meet, against numbers of "
                             "fifty digits; {} meet something. Distances are relative, normals in radians.",
                             c.rays.width, c.rays.height, c.rays.met),
-                note(c.rays.note) + plotsText(plots, prefix + "rays") + raysTable(c.rays));
+                c.rays.note, plotsText(plots, prefix + "rays") + raysTable(c.rays));
     text += section("Pixels",
                     fmt::format("Pictures of N × N samples a pixel (the numbers at the points), against "
                                 "YARTE's of {0} × {0} in double. Linear light, 1 = white{1}.",
@@ -109,12 +112,12 @@ std::string caseText(const SpeedCase& c) {
                                 c.exposure == 1
                                     ? ""
                                     : fmt::format("; POV-Ray's files hold light times {:g}", c.exposure)),
-                    plotsText(plots, prefix + "pixels") + pixelsTable(c));
+                    c.note, plotsText(plots, prefix + "pixels") + pixelsTable(c));
     text += section(
         "Triangles",
         "The scene with triangles for its curved shapes, one ray a pixel, against the exact shapes at "
         "as many rays. Lengths are in scene units.",
-        note(c.tessellation.note) + plotsText(plots, prefix + "triangles") + trianglesTable(c.tessellation));
+        c.tessellation.note, plotsText(plots, prefix + "triangles") + trianglesTable(c.tessellation));
     std::string commands;
     for (const CommandRecord& command : c.commands) commands += markupText(command.line) + "\n";
     return text + fmt::format("<details><summary>{} commands</summary><pre>{}</pre></details>\n</section>\n",
