@@ -158,6 +158,7 @@ Picture renderWithYarte(Workshop& workshop, const RenderSettings& settings,
     const std::string statistics = textIfThere(workshop.file(yarteStatisticsFile));
     times.trace = numberInJson(statistics, "trace_s");
     times.build = numberInJson(statistics, "build_s");
+    times.inDouble = textInJson(statistics, "precision") != "fast";
     return pictureOf(workshop, "yarte", yartePictureFile);
 }
 

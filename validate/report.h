@@ -34,6 +34,7 @@ struct CommandRecord {
 /// Seconds; what a program did not tell is missing.
 struct YarteTimes {
     std::optional<double> trace, wall, build{};
+    bool inDouble = true; ///< false: it says that it computed in float
 };
 struct PovrayTimes {
     std::optional<double> parse, trace, wall;

@@ -109,10 +109,16 @@ std::string jsonReport(const Report& report) {
 
 std::optional<double> numberInJson(std::string_view text, std::string_view key) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object()) return std::nullopt;
-    const auto found = json.find(std::string(key));
+    const auto found = json.is_object() ? json.find(std::string(key)) : json.end();
     if (found == json.end() || !found->is_number()) return std::nullopt;
     return found->get<double>();
+}
+
+std::optional<std::string> textInJson(std::string_view text, std::string_view key) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto found = json.is_object() ? json.find(std::string(key)) : json.end();
+    if (found == json.end() || !found->is_string()) return std::nullopt;
+    return found->get<std::string>();
 }
 
 LedgerTotals tessellationInLedger(std::string_view text) {

@@ -15,6 +15,9 @@ std::string jsonReport(const Report&);
 /// The number called `key` in the object `json`; nothing if there is none, or no object.
 std::optional<double> numberInJson(std::string_view json, std::string_view key);
 
+/// The same for a text.
+std::optional<std::string> textInJson(std::string_view json, std::string_view key);
+
 /// What a ledger of `yarte-convert --tessellate` tells of all curved shapes together.
 struct LedgerTotals {
     std::size_t triangles = 0;

@@ -173,6 +173,18 @@ TEST_F(SpeedCommand, WhatIsLeftOutIsSaid) {
     EXPECT_EQ(scene["plots"].size(), 2u);
 }
 
+TEST_F(SpeedCommand, FloatThatIsTooCoarseIsSaid) {
+    std::string text = readFile(folder_ / "scene.yarte");
+    text.replace(text.find("camera_apertures 25 19"), 22, "camera_apertures 0.001 0.001");
+    writeFile(folder_ / "narrow.yarte", text);
+    ASSERT_EQ(
+        speed({"--reference", "2", "--rays", "0", "--no-tessellation", "--no-povray"}, {"narrow.yarte"}), 0)
+        << errors_;
+    EXPECT_EQ(report()["cases"][0]["note"],
+              "POV-Ray is left out (--no-povray). YARTE fast computed in double: "
+              "float is too coarse for this scene");
+}
+
 TEST_F(SpeedCommand, ASceneThatCannotBeMeasuredDoesNotStopTheOthers) {
     writeFile(folder_ / "bad.yarte", "sphere 0 0 0 -1\n");
     EXPECT_EQ(speed({"--samples", "1", "--rays", "0", "--no-tessellation"}, {"bad.yarte", "scene.yarte"}), 3);

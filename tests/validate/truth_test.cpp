@@ -125,7 +125,6 @@ TEST(TrueScene, TheNearestIsMetAndOfTwoAtOnePlaceTheFirst) {
     ASSERT_TRUE(hit);
     EXPECT_EQ(hit->body, 2);
     EXPECT_REAL(hit->distance, 7);
-    EXPECT_EQ(scene.surfaceCount(), 4u);
 }
 
 TEST(TrueScene, MeshesArePlaced) {
@@ -133,6 +132,7 @@ TEST(TrueScene, MeshesArePlaced) {
     scene.meshes.push_back({"", {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {0, 3}, {0, 1, 2}, {}, {}});
     // Twice as large, turned so that its z is the world's x, and moved.
     scene.bodies.push_back({Mesh{{0}, 2, {{0, 0, -1}, {0, 1, 0}, Vec3{1, 0, 0}}, {3, 0, 0}}, {}, {}, {}, {}});
+    EXPECT_EQ(surfaceCount(scene), 2u);
     const TrueScene truth(scene, {1, 1});
     const auto hit = truth.firstHit(ray({0, 0, 0}, {1, 0, 0}));
     ASSERT_TRUE(hit);

@@ -53,7 +53,7 @@ public:
             prepareForPovray();
             programs.push_back({"POV-Ray", [this](int n) { return povray(n); }});
         } else {
-            case_.note = settings_.withoutPovray;
+            addNote(settings_.withoutPovray);
         }
         for (int run = 0; run < settings_.runs; ++run)
             for (const int samples : settings_.samples)
@@ -70,7 +70,15 @@ private:
         render.fast = fast;
         YarteTimes times;
         Picture picture = renderWithYarte(workshop_, render, scene_, times);
+        if (fast && times.inDouble)
+            addNote("YARTE fast computed in double: float is too coarse for this scene");
         return {std::move(picture), times.trace, times.wall};
+    }
+
+    /// Each once.
+    void addNote(const std::string& note) {
+        if (case_.note.find(note) == std::string::npos)
+            case_.note += fmt::format("{}{}", case_.note.empty() ? "" : ". ", note);
     }
 
     /// The mean of N x N rays, as `yarte --samples N` takes it: the picture of N times the sides, filtered.

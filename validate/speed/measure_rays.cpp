@@ -113,8 +113,8 @@ Resolution sizeForRays(int width, int height, int rays) {
 Rays measureRays(Workshop& workshop, const SpeedSettings& settings, const std::filesystem::path& scene,
                  const Scene& content, int width, int height) {
     Rays result;
-    const std::size_t surfaces = TrueScene(content, {1, 1}).surfaceCount();
-    const double affordable = mostTests / static_cast<double>(std::max<std::size_t>(1, surfaces));
+    const double affordable =
+        mostTests / static_cast<double>(std::max<std::size_t>(1, surfaceCount(content)));
     const Resolution size =
         sizeForRays(width, height, static_cast<int>(std::min<double>(settings.rays, affordable)));
     const TrueScene trueScene(content, size);

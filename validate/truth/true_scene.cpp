@@ -58,6 +58,15 @@ ShapeSurface surfaceOf(const Body& body) {
 
 } // namespace
 
+std::size_t surfaceCount(const Scene& scene) {
+    std::size_t count = 0;
+    for (const Body& body : scene.bodies) {
+        const auto* mesh = std::get_if<Mesh>(&body.shape);
+        count += mesh ? scene.meshes[mesh->mesh.index].faceCount() : 1;
+    }
+    return count;
+}
+
 TrueScene::TrueScene(Scene scene, Resolution resolution) : scene_(std::move(scene)), resolution_(resolution) {
     const Camera& camera = scene_.camera;
     const auto tangent = [](double degrees) {
@@ -68,6 +77,7 @@ TrueScene::TrueScene(Scene scene, Resolution resolution) : scene_(std::move(scen
     const RealVec3 right = normalised(cross(forward_, camera.up));
     right_ = right * (2 * tangent(camera.horizontalApertureDegrees));
     up_ = cross(right, forward_) * (2 * tangent(camera.verticalApertureDegrees));
+    surfaces_.reserve(surfaceCount(scene_));
     for (std::size_t body = 0; body < scene_.bodies.size(); ++body) addBody(body);
 }
 

@@ -15,6 +15,9 @@ struct TrueHit {
     RealVec3 normal; ///< unit, to either side
 };
 
+/// Faces of meshes, and bodies of other shapes: each is looked at for every ray.
+std::size_t surfaceCount(const Scene&);
+
 class TrueScene {
 public:
     /// With a picture of `resolution`.
@@ -25,9 +28,6 @@ public:
 
     /// Of surfaces at equal distances the first one in the scene's file.
     std::optional<TrueHit> firstHit(const RealRay&) const;
-
-    /// Faces of polygons and meshes, and all other shapes.
-    std::size_t surfaceCount() const { return surfaces_.size(); }
 
 private:
     /// What is looked at for every ray; the surface itself is made when a ray passes through its ball.
