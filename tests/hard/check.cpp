@@ -51,12 +51,17 @@ Answer answer(const Case& c, const Truth& truth) {
     const auto distance = [](const Real& a, double b) { return static_cast<double>(abs(a - Real(b))); };
     result.tError = distance(truth.hit->t, hit->t) / ulp(static_cast<double>(truth.hit->t)) /
                     std::max(1.0, truth.hit->tCondition);
-    const Vec3 n = world->visit(
-        hit->element, [&](const auto& shape) { return outwardNormal(shape, ray.at(hit->t), hit->part); });
+    const auto normalAt = [&](double t) {
+        return world->visit(hit->element,
+                            [&](const auto& shape) { return outwardNormal(shape, ray.at(t), hit->part); });
+    };
+    const Vec3 n = normalAt(hit->t);
     const Vec<Real>& exact = truth.hit->normal;
     result.normalError = length({distance(exact.x, n.x), distance(exact.y, n.y), distance(exact.z, n.z)}) /
                          0x1p-52 / std::max(1.0, truth.hit->normalCondition);
-    if (maxError * truth.hit->normalCondition * 0x1p-52 > maxNormalBlur) result.normalError = 0;
+    const double turnedByUlps = length(normalAt(hit->t * (1 + 0x1p-52)) - normalAt(hit->t * (1 - 0x1p-52)));
+    if (std::max(maxError * truth.hit->normalCondition * 0x1p-52, turnedByUlps) > maxNormalBlur)
+        result.normalError = 0;
     if (!(result.tError <= maxError) || !(result.normalError <= maxError))
         result.wrong =
             fmt::format("t is off by {:.3g}, the normal by {:.3g}, conditions {:.3g}, {:.3g}; true: {}, "

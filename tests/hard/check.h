@@ -24,8 +24,8 @@ struct Answer {
 
 /// Bound of tError and normalError.
 inline constexpr double maxError = 4;
-/// Where that many ulps of 1 are more than this, next to a tip, a derivative says nothing: rounding the point
-/// may turn the normal to anywhere.
+/// Where that many ulps of 1, or an ulp of t, may turn a normal by more than this, next to a tip, nothing is
+/// asked of it.
 inline constexpr double maxNormalBlur = 0.1;
 
 Answer answer(const Case&, const Truth&);

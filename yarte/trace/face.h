@@ -163,7 +163,7 @@ inline Crossings quickCrossings(const FaceShape& s, const Ray& ray) {
     const double fall = -dot(ray.direction, plane.normal), height = dot(fromAnchor, plane.normal);
     const double far = std::abs(fromAnchor.x) + std::abs(fromAnchor.y) + std::abs(fromAnchor.z);
     const bool isOff = ray.from.element == ElementId{} || std::abs(height) > s.table.rounding;
-    result.isDoubtful |= isOff && (std::abs(fall) <= 0x1p-20 || std::abs(height) <= 0x1p-20 * far);
+    result.isDoubtful |= isOff && (std::abs(fall) <= 0x1p-20 || std::abs(height) <= 0x1p-16 * far);
     if (fall != 0 && isOff) result.add(height / fall, 0, fall > 0);
     return result;
 }

@@ -15,9 +15,9 @@ struct Nappe {
 };
 
 /// A ray's line as a shape with its own axes sees it: p + (t - moved) d, p relative to the shape's centre, of
-/// which no part of the shape is farther than `reach`. A start twice as far away is first moved to where the
-/// line is nearest to the centre: turning a distant one into other axes would spread the rounding of its
-/// largest coordinate to all of them. t, at least half of what it is moved by, loses no more than a bit by
+/// which no part of the shape is farther than `reach`. A start half as far again away is first moved to where
+/// the line is nearest to the centre: turning a distant one into other axes would spread the rounding of its
+/// largest coordinate to all of them. t, at least a third of what it is moved by, loses less than two bits by
 /// that.
 ///
 /// `far` bounds what the coordinates of p, and those that were rounded on the way to it, are of a line that
@@ -29,9 +29,9 @@ struct LocalLine {
     LocalLine(const Ray& ray, Vec3 centre, const Frame& axes, double reach_) : reach(reach_) {
         const Vec3 u = ray.origin - centre;
         const double nearest = -dot(u, ray.direction);
-        moved = std::abs(nearest) > 2 * reach ? nearest : 0;
+        moved = std::abs(nearest) > 1.5 * reach ? nearest : 0;
         p = axes.toLocal(u + moved * ray.direction), d = axes.toLocal(ray.direction);
-        far = 2 * reach + std::abs(moved);
+        far = 1.5 * reach + std::abs(moved);
     }
 };
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Writes the labelled scenes: small pictures whose pixels have closed forms, worked out here in 50 digits."""
+import math
 import pathlib
 from decimal import Decimal as D, getcontext
 
@@ -172,12 +173,12 @@ def meshes():
             .body(f"material 0.25 0.25 0.25 1 1 1 {NO_CODE}", f"mesh {mesh}.pmf 1 1 0 0 0 1 0 0 0 1 0 2 0", "plane 0 1 0 -10") \
             .all(0.25, 0.25, 0.25).write()
     for count in (3, 4, 7):
-        fan = [f"polygon 3 0 0 0 {row(*[D(c) for c in p])} {row(*[D(c) for c in q])}" for p, q in
+        fan = [f"polygon 3 0 0 0 {row(*p)} {row(*q)}" for p, q in
                zip(ring(count), ring(count)[1:] + ring(count)[:1])]
         Picture(f"fan-{count}", "Triangles around a common vertex that the middle pixel sees: no gap between them.",
                 camera=(0, 0, 1), size=33, background=(1, 0, 1), aperture=10).glow(0, 1, 0, *fan).all(0, 1, 0).write()
     big = " ".join(row(x, y, z) for x, y, z in ring(10000))
-    Picture("10000-vertices", "A polygon of 10,000 vertices on a circle of radius 10: pixels that look within 10 cos(pi / 10000) see it, those\nbeyond 10 do not.",
+    Picture("10000-vertices", "A polygon of 10,000 vertices on a circle of radius 10: pixels that look within 9.99 see it, those\nbeyond 10.01 do not.",
             camera=(0, 0, 10), size=5, background=(1, 0, 1), aperture=50).glow(0, 1, 0, f"polygon 10000 {big}") \
         .pixel(2, 2, 0, 1, 0, 0).pixel(2, 3, 0, 1, 0, 0).pixel(1, 2, 0, 1, 0, 0).pixel(0, 0, 1, 0, 1, 0).pixel(4, 4, 1, 0, 1, 0).write()
     # A pane of two triangles: a shadow ray through their common edge counts the pane once.
@@ -200,9 +201,9 @@ def meshes():
 
 
 def ring(count):
-    """Points on a circle of radius 10, in doubles that the scene keeps."""
-    import math
-    return [(D(10 * math.cos(2 * math.pi * i / count)), D(10 * math.sin(2 * math.pi * i / count)), 0) for i in range(count)]
+    """Points on a circle of radius 10, to six digits."""
+    corners = [(2 * math.pi * i / count) for i in range(count)]
+    return [(round(10 * math.cos(angle), 6), round(10 * math.sin(angle), 6), 0) for angle in corners]
 
 
 def neighbours():

@@ -103,9 +103,9 @@ struct LocalLines {
         : reach(reach_) {
         const V3 u = origin - spread(centre);
         const V nearest = hn::Neg(dot(u, direction));
-        moved = select(hn::Abs(nearest) > set(2 * reach), nearest, set(0));
+        moved = select(hn::Abs(nearest) > set(1.5 * reach), nearest, set(0));
         p = toLocal(axes, u + direction * moved), d = toLocal(axes, direction);
-        far = set(2 * reach) + hn::Abs(moved);
+        far = set(1.5 * reach) + hn::Abs(moved);
     }
 };
 
@@ -375,7 +375,7 @@ struct PlaneLanes {
             isFloat ? dot(origin, normal) - set(dot(plane.anchor, plane.normal)) : dot(fromAnchor, normal);
         meets = hn::Or(load(rays.from + at) == set(noElement), hn::Abs(height) > rounding);
         doubtful = hn::And(meets, hn::Or(hn::Abs(fall) <= set(0x1p-20),
-                                         hn::Abs(height) <= set(0x1p-20) * sumOfSizes(fromAnchor)));
+                                         hn::Abs(height) <= set(0x1p-16) * sumOfSizes(fromAnchor)));
         meets = hn::And(meets, fall != set(0));
         t = height / fall;
     }
