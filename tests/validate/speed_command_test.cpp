@@ -129,7 +129,8 @@ TEST_F(SpeedCommand, EveryKindOfShapeIsMetWhereItIsInTruth) {
               scenes),
         0)
         << output_ << errors_;
-    for (const json& scene : report()["cases"]) {
+    const json cases = report()["cases"];
+    for (const json& scene : cases) {
         const json rays = scene["rays"]["programs"];
         EXPECT_EQ(rays[0]["otherwise"], 0) << scene["name"];
         EXPECT_GT(rays[0]["compared"], 200) << scene["name"];
