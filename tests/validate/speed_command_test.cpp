@@ -133,7 +133,7 @@ TEST_F(SpeedCommand, EveryKindOfShapeIsMetWhereItIsInTruth) {
     for (const json& scene : cases) {
         const json rays = scene["rays"]["programs"];
         EXPECT_EQ(rays[0]["otherwise"], 0) << scene["name"];
-        EXPECT_GT(rays[0]["compared"], 200) << scene["name"];
+        EXPECT_GT(rays[0]["compared"], 100) << scene["name"];
         EXPECT_LT(rays[0]["distance"]["rms"], 1e-13) << scene["name"];
         EXPECT_LT(rays[0]["normal"]["rms"], 1e-13) << scene["name"];
         EXPECT_LE(rays[1]["otherwise"], 2) << scene["name"];
