@@ -6,7 +6,7 @@
 #define YARTE_TRACE_LANES_SEARCH_INL_H
 #endif
 
-#include "yarte/trace/lanes/shapes-inl.h"
+#include "yarte/trace/lanes/faces-inl.h"
 #include "yarte/trace/lanes/tree-inl.h"
 #include "yarte/trace/search.h"
 #include "yarte/trace/world.h"
