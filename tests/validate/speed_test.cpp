@@ -133,6 +133,12 @@ TEST(PovrayRays, AnswersAreInTheOrderOfTheQuestions) {
     EXPECT_THROW(answersIn("1,0,0,1\n", questions), CaseError) << "one is missing";
 }
 
+TEST(PovrayRays, WhereNothingIsMetTheNormalIsZero) {
+    const auto answers = answersIn("120.0,0.0,0.0,0.0\n", {{{}, {}, 4}});
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_EQ(answers[0].body, -1);
+}
+
 TEST(Tessellation, TheLedgerTellsTheNumbers) {
     const LedgerTotals totals = tessellationInLedger(R"json({"rows": [
         {"where": "body 1 (sphere)", "property": "surface", "detail": "128 triangles", "bound": 0.25},

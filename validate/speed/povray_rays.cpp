@@ -21,7 +21,7 @@ std::string vector(Vec3 v) {
     return fmt::format("<{}, {}, {}>", printNumber(v.x), printNumber(v.y), printNumber(v.z));
 }
 
-/// Each prints where the ray meets Body, and the normal there: no number if nowhere.
+/// Each prints how far away the ray meets Body, and the normal there: 0 if it meets it nowhere.
 constexpr std::string_view macro = R"(
 #macro Ask(Body, Origin, Direction)
     #local Normal = <0, 0, 0>;
@@ -64,14 +64,15 @@ std::vector<RayAnswer> answersIn(std::string_view text, const std::vector<RayQue
     for (const RayQuestion& question : questions) {
         const std::string_view line = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(text.size(), line.size() + 1));
-        if (line.find("nan") !=
-            std::string_view::npos) { // the normal where nothing is met, made a unit vector
+        if (line.find("nan") != std::string_view::npos) { // at a tip: where, but not with which normal
             answers.emplace_back();
             continue;
         }
         const auto numbers = numbersIn<4>(line);
         if (!numbers) throw CaseError(fmt::format("POV-Ray wrote an answer that cannot be read: {}", line));
-        answers.push_back({question.body, (*numbers)[0], {(*numbers)[1], (*numbers)[2], (*numbers)[3]}});
+        const auto& [distance, x, y, z] = *numbers;
+        const bool isMet = Vec3{x, y, z} != Vec3{};
+        answers.push_back(isMet ? RayAnswer{question.body, distance, {x, y, z}} : RayAnswer{});
     }
     return answers;
 }
