@@ -7,7 +7,6 @@ pictures of 1024x1024, medians of runs in turn.
 
 Used: the same scene with and without, in seconds.
 """
-import os
 import pathlib
 import re
 import shutil
@@ -16,7 +15,7 @@ import subprocess
 import tempfile
 
 from cases import find_scene
-from measure import BIN, OUT, ROOT, machine
+from measure import BIN, OUT, ROOT, machine, resources
 
 # A feature, and the revisions before and with it.
 HISTORY = [
@@ -44,7 +43,6 @@ USES = [
     ("--stats", PLAIN, ["--stats", "{folder}/stats.json"]),
     ("--aov", PLAIN, ["--aov", "{folder}/aov.exr"]),
     ("--precision fast", PLAIN, ["--precision", "fast"]),
-    ("--processes 2", PLAIN, ["--processes", "2"]),
 ]
 
 
@@ -84,12 +82,8 @@ def seconds(program, scene, folder, options=()):
     """Of processor time, the system's left out: it is mostly that of fresh memory, and varies."""
     (folder / "journal").unlink(missing_ok=True)
     command = [program, scene, "--size", "1024x1024", "-o", folder / "picture.ppm", "--processes", "1"]
-    command = [str(word).format(folder=folder) for word in (*command, *options)]
-    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
-    _, status, usage = os.wait4(process.pid, 0)
-    if os.waitstatus_to_exitcode(status) != 0:
-        raise SystemExit(f"bench: failed: {' '.join(command)}")
-    return usage.ru_utime
+    command += [word.format(folder=folder) for word in options]
+    return resources(command, folder)[1].ru_utime
 
 
 def paired(first, second, runs):

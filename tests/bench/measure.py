@@ -83,15 +83,21 @@ def clocked(run):
     return time.monotonic() - begin, result
 
 
-def timed(command, folder, good=(0,)):
-    """Seconds and the peak of memory, in MB."""
+def resources(command, folder, good=(0,)):
+    """Seconds by the clock, and what the system says of the process (ru_utime, ru_maxrss, ...)."""
     begin = time.monotonic()
     process = subprocess.Popen([str(word) for word in command], cwd=folder, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     if os.waitstatus_to_exitcode(status) not in good:
         raise SystemExit(f"bench: {command} failed")
-    return time.monotonic() - begin, usage.ru_maxrss * 1024 / 1e6
+    return time.monotonic() - begin, usage
+
+
+def timed(command, folder, good=(0,)):
+    """Seconds and the peak of memory, in MB."""
+    seconds, usage = resources(command, folder, good)
+    return seconds, usage.ru_maxrss * 1024 / 1e6
 
 
 def convert(scene, target, *flags):
