@@ -51,13 +51,16 @@ protected:
     }
 };
 
-/// What must hold of any program's curve.
+/// What must hold of any program's curve. POV-Ray tells milliseconds, and traces this scene in less than one.
 void expectFalling(const json& curve) {
     double last = 1;
     for (const json& point : curve["points"]) {
         EXPECT_LT(point["error"]["rmse"], last) << curve["name"] << ' ' << point["samples"];
         EXPECT_GE(point["error"]["max_abs"], point["error"]["rmse"]);
-        EXPECT_GT(point["trace_s"]["median"], 0);
+        if (curve["name"] == "POV-Ray")
+            EXPECT_GE(point["trace_s"]["median"], 0);
+        else
+            EXPECT_GT(point["trace_s"]["median"], 0);
         last = point["error"]["rmse"];
     }
     EXPECT_GT(last, 0);
