@@ -88,7 +88,7 @@ std::string meshDeclarations(const Scene& scene, bool plain) {
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const MeshData& mesh = scene.meshes[i];
         const std::string name = fmt::format("Mesh_{}", i + 1);
-        text += fmt::format("\n#declare {}_File = {}\n", name, quoted(mesh.path));
+        text += fmt::format("\n#declare {}_File = {}\n", name, stringLiteral(mesh.path));
         text += plain && isTriangulated(mesh) ? mesh2(name, mesh) : arrays(name, mesh);
     }
     return text;

@@ -19,7 +19,7 @@ std::string sdlGrey(Colour c) {
     return r == printNumber(c.g) && r == printNumber(c.b) ? r : sdl(c);
 }
 
-std::string quoted(std::string_view text) {
+std::string stringLiteral(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
