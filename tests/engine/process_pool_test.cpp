@@ -74,6 +74,30 @@ TEST(ProcessPool, WorkersIgnoreInterruptsAndEndOnTermination) {
     EXPECT_EQ(terminated.text(), "signal 15");
 }
 
+TEST(ProcessPool, AStoppedWorkerIsKilledUnlessItIsContinuedInTime) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto stopped = endingOf([](int) { raise(SIGSTOP); });
+    EXPECT_EQ(stopped.text(), "signal 9");
+    EXPECT_TRUE(stopped.wasStopped);
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, ProcessPool::longestStop);
+
+    const auto continued = endingOf([](int) {
+        const pid_t self = getpid();
+        if (fork() == 0) { // a helper that continues it, once it has surely been seen
+            std::this_thread::sleep_for(ProcessPool::longestStop / 4);
+            kill(self, SIGCONT);
+            _exit(0);
+        }
+        raise(SIGSTOP);
+        std::this_thread::sleep_for(ProcessPool::longestStop * 3 / 2);
+        while (wait(nullptr) < 0 && errno == EINTR) {
+        }
+    });
+    EXPECT_TRUE(continued.good()) << continued.text();
+    EXPECT_FALSE(continued.wasStopped);
+    EXPECT_TRUE(hasNoChild());
+}
+
 TEST(ProcessPool, LeavesTheSignalsOfItsMakerAsTheyWere) {
     std::signal(SIGCHLD, SIG_IGN);
     EXPECT_TRUE(endingOf([](int) {}).good()) << "ignoring SIGCHLD must not lose the status";

@@ -114,20 +114,21 @@ TEST_F(YarteSignals, WorkersEndWithAParentThatIsKilled) {
     EXPECT_THAT(namesIn(folder_), IsEmpty());
 }
 
-TEST_F(YarteSignals, ALostWorkerIsReplacedAndThePictureIsTheSame) {
-    const auto picture = [&](const std::vector<std::string>& mode, bool killOne) {
+TEST_F(YarteSignals, AWorkerThatIsLostOrStoppedIsReplacedAndThePictureIsTheSame) {
+    const auto picture = [&](const std::vector<std::string>& mode, int signal) {
         std::vector<std::string> arguments{paper, "--size", "1000x800", "-o", "a.pfm"};
         arguments.insert(arguments.end(), mode.begin(), mode.end());
         Program yarte("yarte", arguments, folder_);
-        if (killOne) kill(workersOf(yarte, 2).at(0), SIGKILL);
+        if (signal != 0) kill(workersOf(yarte, 2).at(0), signal);
         const auto result = yarte.wait();
         EXPECT_EQ(result.exitCode, 0) << result.err;
         std::ifstream in(folder_ / "a.pfm", std::ios::binary);
         return std::string(std::istreambuf_iterator<char>(in), {});
     };
-    const std::string reference = picture({"--processes=0"}, false);
+    const std::string reference = picture({"--processes=0"}, 0);
     ASSERT_GT(reference.size(), 1000u * 800 * 12);
-    EXPECT_EQ(picture({"--processes=2", "--tile=400"}, true), reference);
+    for (const int signal : {SIGKILL, SIGSTOP})
+        EXPECT_EQ(picture({"--processes=2", "--tile=400"}, signal), reference) << signal;
     EXPECT_TRUE(nothingIsLeft());
 }
 

@@ -80,13 +80,24 @@ std::vector<ProcessPool::Ending> ProcessPool::wait(std::chrono::milliseconds atM
 
 std::vector<ProcessPool::Ending> ProcessPool::reap() {
     std::vector<Ending> endings;
-    std::erase_if(processes_, [&](const Process& process) {
+    std::erase_if(processes_, [&](Process& process) {
         int status = 0;
-        if (waitpid(process.pid, &status, WNOHANG) != process.pid) return false;
-        endings.push_back({process.worker, status});
+        if (waitpid(process.pid, &status, WNOHANG | WUNTRACED | WCONTINUED) != process.pid) return false;
+        if (WIFSTOPPED(status) || WIFCONTINUED(status)) {
+            process.stopped.reset();
+            if (WIFSTOPPED(status)) process.stopped = Clock::now();
+            return false;
+        }
+        endings.push_back({process.worker, status, process.stopped.has_value()});
         return true;
     });
+    killStopped();
     return endings;
+}
+
+void ProcessPool::killStopped() {
+    for (const Process& process : processes_)
+        if (process.stopped && Clock::now() - *process.stopped > longestStop) kill(process.pid, SIGKILL);
 }
 
 } // namespace yarte

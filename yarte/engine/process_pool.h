@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ public:
     /// How a worker ended.
     struct Ending {
         int worker = 0;
-        int status = 0; ///< as of waitpid
+        int status = 0;          ///< as of waitpid
+        bool wasStopped = false; ///< and was killed for that
         bool good() const { return status == 0; }
         std::string text() const; ///< "signal 9", "exit code 1"
     };
@@ -35,14 +37,21 @@ public:
     bool empty() const { return processes_.empty(); }
 
     /// Sleeps until a worker ends, a signal is handled or the time is over; tells who has ended meanwhile.
+    /// A worker that a signal stopped (SIGSTOP, SIGTSTP) and that nobody has continued for longestStop is
+    /// killed, since it would hold what it holds for ever.
     std::vector<Ending> wait(std::chrono::milliseconds atMost);
 
+    static constexpr std::chrono::seconds longestStop{2};
+
 private:
+    using Clock = std::chrono::steady_clock;
     struct Process {
         pid_t pid;
         int worker;
+        std::optional<Clock::time_point> stopped{}; ///< when that was seen
     };
     std::vector<Ending> reap();
+    void killStopped();
 
     std::vector<Process> processes_;
     // For the pool's life SIGCHLD has its default action and is blocked: wait() sleeps for it and misses

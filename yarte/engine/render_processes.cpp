@@ -18,11 +18,11 @@ bool renderInProcesses(const RenderJob& job, int workers) {
 
     // A worker may die at any time: its tile is done again by whoever is free, and a new worker takes its
     // place, so the last one to leave has seen that no tile waits. A tile that kills twice would kill for
-    // ever.
+    // ever; that a worker was stopped is no fault of its tile.
     const auto replace = [&](const ProcessPool::Ending& ending, ProcessPool& pool) {
         if (const auto index = job.queue.putBack(ending.worker)) {
             const Tile tile = job.queue.tiles()[*index];
-            if (!diedOnce.insert(*index).second)
+            if (!ending.wasStopped && !diedOnce.insert(*index).second)
                 throw RenderError(fmt::format("tile ({},{})-({},{}): its worker died twice ({})", tile.x0,
                                               tile.y0, tile.x1, tile.y1, ending.text()));
         } else if (++diedWithoutTile > 2 * workers) { // also counts those killed between two tiles
