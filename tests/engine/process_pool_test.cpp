@@ -84,12 +84,12 @@ TEST(ProcessPool, AStoppedWorkerIsKilledUnlessItIsContinuedInTime) {
     const auto continued = endingOf([](int) {
         const pid_t self = getpid();
         if (fork() == 0) { // a helper that continues it, once it has surely been seen
-            std::this_thread::sleep_for(ProcessPool::longestStop / 4);
+            std::this_thread::sleep_for(500ms);
             kill(self, SIGCONT);
             _exit(0);
         }
         raise(SIGSTOP);
-        std::this_thread::sleep_for(ProcessPool::longestStop * 3 / 2);
+        std::this_thread::sleep_for(ProcessPool::longestStop + 500ms);
         while (wait(nullptr) < 0 && errno == EINTR) {
         }
     });
