@@ -1,5 +1,6 @@
 #include "validate/program.h"
 
+#include "validate/descriptor.h"
 #include "validate/text.h"
 
 #include <algorithm>
@@ -26,23 +27,6 @@ using Clock = std::chrono::steady_clock;
 [[noreturn]] void throwErrno(const char* what) {
     throw std::system_error(errno, std::generic_category(), what);
 }
-
-class Descriptor {
-public:
-    explicit Descriptor(int value) : value_(value) {}
-    ~Descriptor() { close(); }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int get() const { return value_; }
-    void close() {
-        if (value_ >= 0) ::close(value_);
-        value_ = -1;
-    }
-
-private:
-    int value_;
-};
 
 struct Pipe {
     Descriptor read, write;
@@ -97,8 +81,8 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
 
 /// The child's side: only calls that are safe between fork and exec. Writes errno to `failure` if it comes
 /// back.
-[[noreturn]] void becomeProgram(const ProgramRun& run, char* const* arguments, char* const* environment,
-                                int errorText, int failure) {
+[[noreturn]] void becomeProgram(const ProgramRun& run, const FileRules* files, char* const* arguments,
+                                char* const* environment, int errorText, int failure) {
     ::setpgid(0, 0);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     sigset_t none;
@@ -111,7 +95,8 @@ void limit(__rlimit_resource resource, std::uint64_t value) {
     limit(RLIMIT_CORE, 0);
     if (run.memoryLimit > 0) limit(RLIMIT_AS, run.memoryLimit);
     if (run.cpuLimit > 0) limit(RLIMIT_CPU, run.cpuLimit);
-    if (::chdir(run.directory.c_str()) == 0) ::execve(arguments[0], arguments, environment);
+    if (::chdir(run.directory.c_str()) == 0 && (files == nullptr || files->enforce()))
+        ::execve(arguments[0], arguments, environment);
     const int reason = errno;
     [[maybe_unused]] const ssize_t written = ::write(failure, &reason, sizeof reason);
     ::_exit(127);
@@ -169,13 +154,16 @@ bool waitForEnd(const Child& child, int errorPipe, Clock::time_point deadline, c
 
 ProgramResult run(const ProgramRun& run, const StopSignal& stop) {
     const std::vector<char*> arguments = pointersTo(run.command), environment = pointersTo(run.environment);
+    std::optional<FileRules> files;
+    if (run.files) files.emplace(*run.files);
     Pipe errors, failure;
     ::fcntl(errors.read.get(), F_SETFL, O_NONBLOCK);
     const auto start = Clock::now();
     const pid_t pid = ::fork();
     if (pid < 0) throwErrno("fork");
     if (pid == 0)
-        becomeProgram(run, arguments.data(), environment.data(), errors.write.get(), failure.write.get());
+        becomeProgram(run, files ? &*files : nullptr, arguments.data(), environment.data(),
+                      errors.write.get(), failure.write.get());
     ::setpgid(pid, pid); // here too: the group must exist before it may have to be killed
     Child child(pid);
     errors.write.close();

@@ -2,6 +2,7 @@
 // nothing behind.
 #pragma once
 
+#include "validate/file_access.h"
 #include "validate/stop_signal.h"
 
 #include <cstdint>
@@ -19,6 +20,7 @@ struct ProgramRun {
     double timeLimit = 600;               ///< seconds of wall clock
     std::uint64_t memoryLimit = 0;        ///< bytes of address space; 0: none
     std::uint64_t cpuLimit = 0;           ///< seconds, summed over threads; 0: none
+    std::optional<FileAccess> files{};    ///< what it may do with files; nothing: what this process may
 };
 
 /// How it ended. Exactly one of `startError`, `timedOut`, `signal`, or just `exitCode`.

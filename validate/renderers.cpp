@@ -111,11 +111,30 @@ bool neverBegan(const ProgramResult& result) {
            result.errorText.find("waiting for worker thread startup") != std::string::npos;
 }
 
-PovrayTimes runPovray(Workshop& workshop, const std::vector<std::string>& command) {
+/// What POV-Ray has to read for a stranger's scene: the scene's folder, itself, and the system's files, where
+/// its library of scenes lies too. Not /proc, nor all of /etc: they tell of users and other programs.
+std::vector<std::filesystem::path> readableWith(const std::filesystem::path& povray,
+                                                const std::filesystem::path& scene) {
+    return {scene.parent_path(),
+            povray.parent_path(),
+            "/usr",
+            "/bin",
+            "/lib",
+            "/lib64",
+            "/etc/ld.so.cache",
+            "/etc/localtime",
+            "/etc/povray",
+            "/dev/null",
+            "/sys/devices/system",
+            "/dev/urandom"};
+}
+
+PovrayTimes runPovray(Workshop& workshop, const std::vector<std::string>& command,
+                      const std::optional<std::vector<std::filesystem::path>>& readable = {}) {
     constexpr int attempts = 3;
-    ProgramResult result = workshop.run(command, povrayMemoryLimit);
+    ProgramResult result = workshop.run(command, povrayMemoryLimit, readable);
     for (int i = 1; i < attempts && neverBegan(result); ++i)
-        result = workshop.run(command, povrayMemoryLimit);
+        result = workshop.run(command, povrayMemoryLimit, readable);
     const std::string said = cleanText(textIfThere(workshop.file(povrayErrorFile)));
     demandSuccess("povray", result, said.empty() ? result.errorText : said);
     const std::string statistics = textIfThere(workshop.file(povrayStatisticsFile));
@@ -209,8 +228,10 @@ void convertForPovray(Workshop& workshop, const RenderSettings& settings, const 
 Picture renderWithPovray(Workshop& workshop, const RenderSettings& settings,
                          const std::filesystem::path& scene, int width, int height, PovrayTimes& times) {
     const std::vector<std::string> command = povrayCommand(settings, scene, width, height);
-    if (!settings.cache || scene.is_absolute()) {
-        times = runPovray(workshop, command);
+    const bool isStrangers = scene.is_absolute();
+    if (!settings.cache || isStrangers) {
+        times = isStrangers ? runPovray(workshop, command, readableWith(command[0], scene))
+                            : runPovray(workshop, command);
         return pictureOf(workshop, "povray", povrayPictureFile);
     }
     const std::string input = cacheInput(workshop, command);

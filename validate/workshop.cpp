@@ -13,7 +13,8 @@ namespace yarte::validate {
 Workshop::Workshop(const std::filesystem::path& parent, double timeLimit, const StopSignal& stop)
     : folder_(parent), timeLimit_(timeLimit), stop_(stop) {}
 
-ProgramResult Workshop::run(const std::vector<std::string>& command, std::uint64_t memoryLimit) {
+ProgramResult Workshop::run(const std::vector<std::string>& command, std::uint64_t memoryLimit,
+                            const std::optional<std::vector<std::filesystem::path>>& readable) {
     ProgramRun program;
     program.command = command;
     program.directory = folder_.path();
@@ -21,6 +22,7 @@ ProgramResult Workshop::run(const std::vector<std::string>& command, std::uint64
                            "PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C"};
     program.timeLimit = timeLimit_;
     program.memoryLimit = memoryLimit;
+    if (readable) program.files = FileAccess{*readable, folder_.path()};
     // What a program computes must end too if it escapes the wall clock by leaving its process group.
     program.cpuLimit =
         static_cast<std::uint64_t>(std::ceil(timeLimit_)) * std::max(1u, std::thread::hardware_concurrency());

@@ -6,6 +6,7 @@
 #include "validate/temporary_folder.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ public:
     std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
 
     /// Runs a program here and records it. Of the user's environment it sees nothing: HOME and TMPDIR are
-    /// this folder. `memoryLimit` in bytes of address space, 0 for none.
-    ProgramResult run(const std::vector<std::string>& command, std::uint64_t memoryLimit = 0);
+    /// this folder. `memoryLimit` in bytes of address space, 0 for none. With `readable` it may read these
+    /// files and folders, and write here, and have no others.
+    ProgramResult run(const std::vector<std::string>& command, std::uint64_t memoryLimit = 0,
+                      const std::optional<std::vector<std::filesystem::path>>& readable = {});
 
     /// Records a program that need not be run.
     void record(const std::vector<std::string>& command, const std::string& outcome);

@@ -1,5 +1,6 @@
 // yarte-validate as CI uses it: side by side, with a cache, against a baseline, on GitHub, on foreign
 // formats.
+#include "tests/support/povray.h"
 #include "tests/validate/command_line.h"
 
 #include <fmt/format.h>
@@ -292,6 +293,36 @@ TEST_F(CiUse, APovraySceneIsRenderedByPovrayAsItIs) {
     EXPECT_EQ(validateScenes({"own.pov"}), 3);
     EXPECT_THAT(output_, StartsWith("error  own  yarte-convert: exit code 2\n       no reader for .pov\n"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "ran"));
+}
+
+// Our reader takes vturbulence for 0 and goes another way through these scenes than POV-Ray does.
+TEST_F(CiUse, WhatTheConverterDoesNotSeeIsRefusedToPovrayToo) {
+    if (!FileRules::areKnown()) GTEST_SKIP() << "skipped: this kernel has no Landlock";
+    if (!yarte::test::hasPovray()) GTEST_SKIP() << "skipped: povray not found";
+    const auto outside = folder_ / "outside", inside = folder_ / "inside";
+    for (const auto& folder : {outside, inside}) std::filesystem::create_directory(folder);
+    writeFile(outside / "secret.inc", "#declare Red = 1;\n");
+    writeFile(inside / "part.inc", "#declare Red = 1;\n");
+    const auto validated = [&](const std::string& statements) {
+        writeFile(inside / "scene.pov",
+                  "#version 3.7; global_settings { assumed_gamma 1 }\n#declare Red = 1;\n"
+                  "#if (vlength(vturbulence(2, 0.5, 6, <1.3, 2.7, 3.1>)) > 0)\n" +
+                      statements +
+                      "\n#end\ncamera { location -5*z look_at 0 } light_source { <5, 5, -5> 1 }\n"
+                      "sphere { 0, 1 pigment { rgb <Red, 0, 0> } finish { ambient 0.1 diffuse 0.7 } }\n");
+        return validate({"-o", "out", "--size", "16x12", inside / "scene.pov"},
+                        {std::string("PATH=") + std::getenv("PATH")});
+    };
+    EXPECT_EQ(validated("#include \"part.inc\""), 0) << output_ << errors_;
+    EXPECT_EQ(validated(fmt::format("#include \"{}\"", (outside / "secret.inc").string())), 3);
+    EXPECT_THAT(output_, HasSubstr("povray: exit code 1")) << errors_;
+    EXPECT_EQ(validated("#include \"../outside/secret.inc\""), 3);
+    EXPECT_THAT(output_, HasSubstr("povray: exit code 1")) << errors_;
+    EXPECT_EQ(validated(fmt::format("#fopen F \"{}\" write #write(F, \"x\") #fclose F",
+                                    (outside / "written").string())),
+              3);
+    EXPECT_THAT(output_, HasSubstr("povray: exit code 1")) << errors_;
+    EXPECT_FALSE(std::filesystem::exists(outside / "written"));
 }
 
 } // namespace

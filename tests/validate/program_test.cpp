@@ -114,6 +114,32 @@ TEST_F(Program, TheMemoryLimitEndsWhatTakesTooMuch) {
     EXPECT_TRUE(reserve(600).succeeded()) << "without a limit";
 }
 
+TEST_F(Program, FilesItMayNotHaveAreNotThereForIt) {
+    if (!FileRules::areKnown()) GTEST_SKIP() << "skipped: this kernel has no Landlock";
+    const auto inner = program_.directory / "inner", beside = program_.directory / "beside";
+    for (const auto& folder : {inner, beside}) {
+        std::filesystem::create_directories(folder);
+        writeFile(folder / "text", "words\n");
+    }
+    program_.directory = inner;
+    program_.files =
+        FileAccess{{"/usr", "/bin", "/lib", "/lib64", "/etc/ld.so.cache", "/does/not/exist"}, inner};
+    EXPECT_EQ(shell("cat text >&2; echo more > made; cat made >&2; rm made; ls >&2").errorText,
+              "words\nmore\ntext\n");
+    for (const char* refused :
+         {"cat ../beside/text", "echo x > ../beside/text", "echo x > ../beside/new", "rm ../beside/text",
+          "mkdir ../beside/folder", "mv text ../beside/moved", "ln -s ../beside/text link && cat link",
+          "ls ..", "cat /etc/passwd", "cat /proc/self/environ", "echo x > /usr/made",
+          "sh -c 'cat ../beside/text'"}) {
+        const ProgramResult result = shell(refused);
+        EXPECT_FALSE(result.succeeded()) << refused;
+        EXPECT_THAT(result.errorText, HasSubstr("Permission denied")) << refused;
+    }
+    EXPECT_EQ(readFile(beside / "text"), "words\n");
+    program_.files.reset();
+    EXPECT_EQ(shell("cat ../beside/text >&2").errorText, "words\n");
+}
+
 TEST_F(Program, AStopSignalEndsItAndIsThrown) {
     try {
         shell("echo $$ > self; kill -INT $PPID; sleep 600");
