@@ -325,6 +325,8 @@ int runProgram(int argc, char** argv) {
     Run run(std::move(*parsed.options));
     try {
         return run();
+    } catch (const JournalError& error) {
+        return run.fail(refused, error.what());
     } catch (const std::bad_alloc&) {
         return run.fail(couldNotRun, "not enough memory");
     } catch (const std::exception& error) {

@@ -100,7 +100,7 @@ TEST_F(YarteCheckpoint, WhatHasChangedIsNamed) {
     ASSERT_EQ(yarte(with({"--checkpoint", "c"})).exitCode, 0);
     const auto refusal = [&](const std::vector<std::string>& options) {
         const ProgramResult result = yarte(options);
-        EXPECT_EQ(result.exitCode, 3) << result.err;
+        EXPECT_EQ(result.exitCode, 1) << result.err;
         return result.err;
     };
     const std::vector<std::string> resume{"--checkpoint", "c", "--resume"};
@@ -133,7 +133,7 @@ TEST_F(YarteCheckpoint, DamageIsToldAndMended) {
     journal[30] ^= 1;
     writeFile(folder_ / "c", journal);
     const ProgramResult refused = yarte(with({"--checkpoint", "c", "--resume"}));
-    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_EQ(refused.exitCode, 1);
     EXPECT_THAT(refused.err, HasSubstr("c: no checkpoint, or its head is damaged"));
 }
 
@@ -157,7 +157,7 @@ TEST_F(YarteCheckpoint, WrongUsage) {
     EXPECT_EQ(yarte(with({"--resume"})).exitCode, 2);
     EXPECT_EQ(yarte(with({"--partial"})).exitCode, 2);
     EXPECT_EQ(yarte(with({"--checkpoint", "s.yarte"})).exitCode, 2);
-    EXPECT_EQ(yarte(with({"--checkpoint", "s.yarte", "--resume"})).exitCode, 3);
+    EXPECT_EQ(yarte(with({"--checkpoint", "s.yarte", "--resume"})).exitCode, 1);
     EXPECT_EQ(yarte(with({"--checkpoint", "no/such/folder"})).exitCode, 3);
     EXPECT_EQ(yarte(with({"--checkpoint", "none", "--partial"})).exitCode, 3);
     EXPECT_EQ(readFile(folder_ / "c"), before);
