@@ -1,6 +1,7 @@
 // yarte-convert: reads a scene or mesh in one format and writes it in another.
 
 #include "convert/convert.h"
+#include "yarte/base/file.h"
 
 #include <fmt/format.h>
 
@@ -67,6 +68,7 @@ int run(const convert::Options& options) {
 
 int main(int argc, char** argv) {
     std::signal(SIGINT, [](int) { _exit(interrupted); });
+    letLargeWritesFail();
     const convert::ParsedOptions parsed = convert::parseOptions(argc, argv);
     if (!parsed.options) {
         fmt::print(parsed.exitCode == good ? stdout : stderr, "{}", parsed.text);

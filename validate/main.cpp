@@ -148,6 +148,7 @@ int couldNotRun(const Options& options, const std::string& message) {
 } // namespace
 
 int main(int argc, char** argv) {
+    letLargeWritesFail();
     const ParsedOptions parsed = parseOptions(argc, argv);
     if (!parsed.options) {
         print(parsed.exitCode == 0 ? stdout : stderr, parsed.text);

@@ -317,6 +317,7 @@ int Run::operator()() {
 
 int runProgram(int argc, char** argv) {
     installInterruptHandlers();
+    letLargeWritesFail();
     ParsedOptions parsed = parseOptions(argc, argv);
     if (!parsed.options) {
         print(parsed.exitCode == good ? stdout : stderr, parsed.text);

@@ -40,7 +40,7 @@ std::string contents(int file) {
     if (limits.fileSize > 0) {
         const rlimit fileSize{limits.fileSize, limits.fileSize};
         setrlimit(RLIMIT_FSIZE, &fileSize);
-        std::signal(SIGXFSZ, SIG_IGN); // so that the write fails and does not kill
+        std::signal(SIGXFSZ, SIG_DFL); // as a shell starts it
     }
     if (chdir(folder.c_str()) == 0 && dup2(out, STDOUT_FILENO) >= 0 && dup2(err, STDERR_FILENO) >= 0)
         execv(file.c_str(), words.data());

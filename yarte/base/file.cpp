@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <system_error>
 #include <utility>
 
@@ -162,5 +163,7 @@ bool ReadableFolders::contain(const fs::path& file) const {
         return !folderError && liesBelow(resolved, root);
     });
 }
+
+void letLargeWritesFail() { std::signal(SIGXFSZ, SIG_IGN); }
 
 } // namespace yarte

@@ -39,4 +39,8 @@ struct ReadableFolders {
     bool contain(const std::filesystem::path& file) const;
 };
 
+/// From now on a write beyond the process's largest file size (ulimit -f) fails as one to a full disk does; otherwise
+/// the system's signal for it ends the process without a word.
+void letLargeWritesFail();
+
 } // namespace yarte
