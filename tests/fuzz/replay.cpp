@@ -1,0 +1,122 @@
+// Without libFuzzer: a target is given the files of some folders, and so many changed forms of them, the same
+// ones in every run. An input that takes too long, or a crash, ends the program; which input it was stands in
+// the file "replayed-input".
+#include "tests/fuzz/target.h"
+
+#include "yarte/base/file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Random = std::mt19937;
+
+constexpr unsigned secondsForOne = 10;
+constexpr std::size_t longest = 16 * 1024; // larger files are left to libFuzzer
+
+struct Replay {
+    std::vector<std::string> inputs, words;
+    std::chrono::duration<double> slowest{0};
+    std::size_t count = 0;
+};
+
+std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
+
+/// The quoted words of a dictionary of libFuzzer's.
+std::vector<std::string> wordsIn(const fs::path& dictionary) {
+    std::vector<std::string> words;
+    std::ifstream in(dictionary);
+    for (std::string line; std::getline(in, line);)
+        if (line.size() > 2 && line.front() == '"') words.push_back(line.substr(1, line.size() - 2));
+    return words;
+}
+
+std::vector<std::string> filesIn(const fs::path& folder, const std::string& extensions) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string extension = entry.path().extension().string();
+        const bool isWanted =
+            extensions == "*" || (!extension.empty() && extensions.find(extension) != extensions.npos);
+        if (entry.is_regular_file() && isWanted && entry.file_size() <= longest)
+            files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    std::vector<std::string> inputs;
+    for (const fs::path& file : files) inputs.push_back(yarte::readFile(file));
+    return inputs;
+}
+
+void mutate(std::string& text, const Replay& replay, Random& random) {
+    const std::size_t place = below(random, text.size() + 1), length = 1 + below(random, 8);
+    switch (random() % 6) {
+    case 0:
+        if (place < text.size()) text[place] = static_cast<char>(text[place] ^ (1 << random() % 8));
+        break;
+    case 1:
+        if (place < text.size()) text[place] = static_cast<char>(random());
+        break;
+    case 2: text.erase(std::min(place, text.size()), length); break;
+    case 3:
+        if (!replay.words.empty()) text.insert(place, replay.words[below(random, replay.words.size())] + " ");
+        break;
+    case 4: text.insert(place, text.substr(below(random, text.size() + 1), length * length)); break;
+    default: {
+        const std::string& other = replay.inputs[below(random, replay.inputs.size())];
+        text = text.substr(0, place) + other.substr(below(random, other.size() + 1));
+    }
+    }
+    if (text.size() > longest) text.resize(longest);
+}
+
+void run(Replay& replay, const std::string& input) {
+    std::ofstream("replayed-input", std::ios::binary) << input;
+    const auto begin = std::chrono::steady_clock::now();
+    ::alarm(secondsForOne); // ends the program
+    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+    ::alarm(0);
+    replay.slowest =
+        std::max<std::chrono::duration<double>>(replay.slowest, std::chrono::steady_clock::now() - begin);
+    ++replay.count;
+}
+
+} // namespace
+
+/// replay DICTIONARY COUNT EXTENSIONS FOLDER...: all files, then COUNT mutations. A folder "kept" is taken
+/// whole.
+int main(int argc, char** argv) {
+    if (argc < 5) return 2;
+    Replay replay;
+    replay.words = wordsIn(argv[1]);
+    for (int i = 4; i < argc; ++i) {
+        const bool isKept = fs::path(argv[i]).parent_path().filename() == "kept";
+        if (!fs::is_directory(argv[i])) continue;
+        for (std::string& input : filesIn(argv[i], isKept ? "*" : argv[3]))
+            replay.inputs.push_back(std::move(input));
+    }
+    if (replay.inputs.empty()) replay.inputs.push_back("");
+    const std::vector<std::string> inputs = replay.inputs;
+    for (const std::string& input : inputs) run(replay, input);
+    Random random(1);
+    for (int i = std::atoi(argv[2]); i > 0; --i) {
+        std::string input = inputs[below(random, inputs.size())];
+        for (std::size_t changes = 1 + below(random, 5); changes > 0; --changes)
+            mutate(input, replay, random);
+        run(replay, input);
+    }
+    fs::remove("replayed-input");
+    fmt::print("{} inputs ({} files), the slowest in {:.3f} s\n", replay.count, inputs.size(),
+               replay.slowest.count());
+}
