@@ -64,7 +64,7 @@ protected:
         ProgramRun program{{"/bin/sh", "-c", "exec \"$0\" \"$@\" >stdout", program_},
                            folder_,
                            {"TMPDIR=" + (folder_ / "tmp").string(), "PATH=/nowhere"},
-                           60,
+                           300, // not a promise: sanitizers on a busy machine are slow
                            0,
                            0};
         program.command.insert(program.command.end(), arguments.begin(), arguments.end());
