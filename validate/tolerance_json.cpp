@@ -5,6 +5,7 @@
 #include "yarte/base/source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -15,6 +16,9 @@ namespace yarte::validate {
 namespace {
 
 using Json = nlohmann::json;
+
+/// Of groups in each other: what reads and judges them recurses, and each carries its place in the file.
+constexpr int maxGroupDepth = 50;
 
 /// The kinds by their keys, pixels_over apart: its object decides between a count and a fraction.
 constexpr std::pair<const char*, Condition::Kind> kinds[] = {{"all", Condition::Kind::all},
@@ -36,7 +40,7 @@ private:
         problems.push_back({place, code, std::move(message)});
     }
     void body(Condition&, const char* key, const Json&, const std::string& place);
-    void parts(Condition&, const Json&, const std::string& place);
+    void group(Condition&, const Json&, const std::string& place);
     void pixelsOver(Condition&, const Json&, const std::string& place);
     double limit(const Json&, const std::string& place);
     PixelSet pixelSet(const Json&, const std::string& place);
@@ -47,6 +51,7 @@ private:
     void each(const Json&, const std::string& place, Read read);
 
     std::filesystem::path folder_;
+    int groupDepth_ = 0;
 };
 
 void Parser::unknownKeys(const Json& json, const std::string& place,
@@ -76,7 +81,7 @@ double Parser::limit(const Json& json, const std::string& place) {
         const ParsedNumber below = parseNumber(slash == std::string::npos ? "1" : text.substr(slash + 1));
         if (!above.error && !below.error && below.value > 0) value = above.value / below.value;
     }
-    if (!value) {
+    if (!value || !std::isfinite(*value)) {
         problem(place, "tolerance.limit-not-number", "must be a number, or a fraction like \"4/65535\"");
         return 0;
     }
@@ -144,10 +149,19 @@ void Parser::pixelsOver(Condition& c, const Json& json, const std::string& place
                 fmt::format("must be at most 1, got {}", c.limit));
 }
 
+void Parser::group(Condition& c, const Json& json, const std::string& place) {
+    if (groupDepth_ == maxGroupDepth)
+        return problem(place, "tolerance.too-deep",
+                       fmt::format("groups must be at most {} levels deep", maxGroupDepth));
+    ++groupDepth_;
+    each(json, place,
+         [&](const Json& part, const std::string& at) { c.parts.push_back(condition(part, at)); });
+    --groupDepth_;
+}
+
 void Parser::body(Condition& c, const char* key, const Json& json, const std::string& place) {
     if (c.isGroup())
-        each(json, place,
-             [&](const Json& part, const std::string& at) { c.parts.push_back(condition(part, at)); });
+        group(c, json, place);
     else if (std::string_view(key) == "pixels_over")
         pixelsOver(c, json, place);
     else
@@ -236,6 +250,8 @@ Json jsonOf(std::string_view text, const std::filesystem::path& file) {
         const auto at = Source("", std::string(text)).position(error.byte == 0 ? 0 : error.byte - 1);
         throw ToleranceError(
             file, {{fmt::format("{}:{}", at.line, at.column), "tolerance.not-json", "this is not JSON"}});
+    } catch (const Json::out_of_range&) { // which does not say where
+        throw ToleranceError(file, {{"", "tolerance.number-too-large", "a number in it is beyond 1.8e308"}});
     }
 }
 

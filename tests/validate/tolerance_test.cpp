@@ -68,6 +68,8 @@ TEST(ToleranceTest, ReadsEverything) {
 TEST(ToleranceTest, EveryMistakeHasItsPlaceAndCode) {
     using List = std::vector<std::string>;
     EXPECT_EQ(problemsOf("{\n  \"rmse\" 1}"), List{"2:10 tolerance.not-json"});
+    EXPECT_EQ(problemsOf(R"({"rmse": 1e999, "reason": "r"})"), List{" tolerance.number-too-large"});
+    EXPECT_EQ(problemsOf(R"({"rmse": "1e300/1e-300", "reason": "r"})"), List{"/rmse tolerance.limit-not-number"});
     EXPECT_EQ(problemsOf("[]"), List{" tolerance.condition-invalid"});
     EXPECT_EQ(problemsOf("{}"), List{" tolerance.condition-invalid"});
     EXPECT_EQ(problemsOf(R"({"rmse": 1, "max_abs": 1})"), List{" tolerance.condition-invalid"});
@@ -100,6 +102,18 @@ TEST(ToleranceTest, EveryMistakeHasItsPlaceAndCode) {
     EXPECT_EQ(problemsOf(R"({"all": [{"rmse": -1, "reason": "r"}, {"max_abs": []}]})"),
               (List{"/all/0/rmse tolerance.limit-negative", "/all/1/max_abs tolerance.limit-not-number"}))
         << "all mistakes in one run";
+}
+
+TEST(ToleranceTest, GroupsAreNotDeep) {
+    const auto nested = [](int levels) {
+        std::string text = "{\"max_abs\": \"4/65535\"}";
+        for (int i = 0; i < levels; ++i) text = "{\"all\": [" + text + "]}";
+        return text;
+    };
+    EXPECT_THAT(problemsOf(nested(50)), testing::IsEmpty());
+    EXPECT_THAT(problemsOf(nested(51)), testing::ElementsAre(testing::EndsWith(" tolerance.too-deep")));
+    EXPECT_THAT(problemsOf(nested(100'000)), testing::ElementsAre(testing::EndsWith(" tolerance.too-deep")))
+        << "the reader's stack";
 }
 
 // The table that check_tolerances.py runs through the published schema.
