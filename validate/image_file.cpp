@@ -24,6 +24,17 @@ Colour decoded(Colour colour) {
     return {linearFromSrgb(colour.r), linearFromSrgb(colour.g), linearFromSrgb(colour.b)};
 }
 
+/// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes: four
+/// times what the best of common codings reaches.
+constexpr double anyValues = 1 << 24, valuesPerByte = 4096;
+
+void checkSize(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+    const double values = static_cast<double>(spec.width) * spec.height * spec.depth * spec.nchannels;
+    const auto bytes = std::filesystem::file_size(file);
+    if (values > anyValues + valuesPerByte * static_cast<double>(bytes))
+        throw ImageError(fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
+}
+
 /// All channels of all pixels as numbers of the type T.
 template <class T>
 std::vector<T> readChannels(OIIO::ImageInput& input, OIIO::TypeDesc type) {
@@ -53,6 +64,7 @@ Stored readByOpenImageIO(const std::filesystem::path& file) {
     const auto input = OIIO::ImageInput::open(file.string(), &asStored);
     if (!input) throw ImageError(OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
+    checkSize(spec, file);
     // As 16-bit integers where that is exact; OpenImageIO's own conversion goes through single precision.
     if (spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16)
         return {toPicture(spec, readChannels<std::uint16_t>(*input, OIIO::TypeDesc::UINT16), 65535), true};
@@ -70,6 +82,7 @@ Layers readLayersByOpenImageIO(const std::filesystem::path& file) {
     const auto input = OIIO::ImageInput::open(file.string());
     if (!input) throw ImageError(OIIO::geterror());
     const OIIO::ImageSpec& spec = input->spec();
+    checkSize(spec, file);
     Layers layers{spec.width, spec.height, {}, spec.get_string_attribute("yarte.scene")};
     const std::vector<float> values = readChannels<float>(*input, OIIO::TypeDesc::FLOAT);
     const auto channels = static_cast<std::size_t>(spec.nchannels);

@@ -69,6 +69,18 @@ TEST(ImageFile, WhatCannotBeReadIsNamed) {
     }
 }
 
+TEST(ImageFile, AFewBytesAreNoLargePicture) {
+    const auto file = scratchFolder() / "p.pfm";
+    writeFile(file, "PF\n30000 30000\n-1.0\n" + floatBytes({1, 2, 3}));
+    try {
+        readPicture(file);
+        ADD_FAILURE() << "was read";
+    } catch (const ImageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("30000x30000 pixels are too many for a file of 33 bytes"));
+    }
+    EXPECT_THROW(readLayers(file), ImageError);
+}
+
 TEST(Srgb, DecodingUndoesEncoding) {
     for (int i = 0; i <= 1000; ++i) ASSERT_NEAR(linearFromSrgb(srgbFromLinear(i / 1000.0)), i / 1000.0, 1e-6);
 }
