@@ -8,7 +8,7 @@
 namespace yarte::convert::gltf {
 namespace {
 
-/// Of all meshes, in bytes: what any file may have, and what it may have for each of its own bytes.
+/// Of all meshes and instances, in bytes: what any file may have, and what it may have for each of its own bytes.
 constexpr std::size_t anyRoom = std::size_t{1} << 30, roomPerByte = 32;
 
 std::size_t bytesOf(const MeshSize& size) {
@@ -28,8 +28,8 @@ std::unique_ptr<Asset> Asset::open(std::string_view bytes, const std::string& na
     std::unique_ptr<Asset> asset(new Asset(std::move(*root), name, diagnostics));
     asset->document_ = readDocument(asset->root_, asset->errors_);
     if (!asset->document_) return nullptr;
-    asset->content_.emplace(*asset->document_, container->binary.value_or(""), std::move(base),
-                            asset->errors_);
+    asset->content_.emplace(*asset->document_, container->binary.value_or(""), bytes.size(),
+                            std::move(base), asset->errors_);
     asset->hierarchy_.emplace(*asset->document_);
     asset->room_ = anyRoom + roomPerByte * bytes.size();
     return asset;
@@ -46,14 +46,18 @@ std::optional<Pose> Asset::poseOf(std::uint32_t id) {
     return pose;
 }
 
-bool Asset::takeRoom(const MeshSize& size, const Json& at) {
-    const std::size_t bytes = bytesOf(size);
-    if (bytes > room_ || std::max(size.vertices, size.corners) > std::numeric_limits<std::uint32_t>::max()) {
-        errors_.report("gltf.too-large", "the meshes are too large for a file of this size", at);
+bool Asset::takeRoom(std::size_t bytes, const Json& at) {
+    if (bytes > room_) {
+        errors_.report("gltf.too-large", "meshes and instances are too large for a file of this size", at);
         return false;
     }
     room_ -= bytes;
     return true;
+}
+
+bool Asset::takeRoom(const MeshSize& size, const Json& at) {
+    const bool fitsIndices = std::max(size.vertices, size.corners) <= std::numeric_limits<std::uint32_t>::max();
+    return takeRoom(fitsIndices ? bytesOf(size) : std::numeric_limits<std::size_t>::max(), at);
 }
 
 } // namespace yarte::convert::gltf

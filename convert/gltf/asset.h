@@ -35,6 +35,7 @@ public:
 
     /// False after reporting that this and what came before is too much for a file of its size: a few bytes
     /// can ask for much, by many nodes with one mesh or by accessors without bytes.
+    bool takeRoom(std::size_t bytes, const Json& at);
     bool takeRoom(const MeshSize&, const Json& at);
 
 private:

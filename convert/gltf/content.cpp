@@ -3,9 +3,17 @@
 #include <fmt/format.h>
 
 namespace yarte::convert::gltf {
+namespace {
 
-Content::Content(const Document& document, std::string_view binary, UriBase base, Errors& errors)
-    : document_(document), binary_(binary), base_(std::move(base)), errors_(errors) {}
+/// Elements of accessors: what any file may read, and what it may read for each byte of it and its buffers.
+constexpr std::size_t anyElements = std::size_t{1} << 26, elementsPerByte = 256;
+
+} // namespace
+
+Content::Content(const Document& document, std::string_view binary, std::size_t fileSize, UriBase base,
+                 Errors& errors)
+    : document_(document), binary_(binary), base_(std::move(base)), errors_(errors),
+      elements_(anyElements + elementsPerByte * fileSize) {}
 
 const Content::Loaded& Content::load(std::uint32_t id) {
     const auto [entry, isNew] = loaded_.try_emplace(id);
@@ -21,6 +29,7 @@ const Content::Loaded& Content::load(std::uint32_t id) {
         if (!resource.problem.empty()) return fail(std::move(resource.problem)), loaded;
         loaded.own = std::move(resource.bytes);
         bytes = loaded.own;
+        elements_ += elementsPerByte * bytes.size();
     } else if (id == 0) {
         bytes = binary_;
     }
@@ -45,6 +54,16 @@ std::optional<std::string_view> Content::bytesOf(std::uint32_t id) {
     const Loaded& loaded = load(view.buffer);
     if (!loaded.bytes) return std::nullopt;
     return loaded.bytes->substr(view.offset, view.length);
+}
+
+bool Content::takeElements(std::size_t count, const Json& accessor) {
+    if (count > elements_) {
+        errors_.report("gltf.too-large", "the elements that are read are too many for a file of this size",
+                       accessor);
+        return false;
+    }
+    elements_ -= count;
+    return true;
 }
 
 } // namespace yarte::convert::gltf

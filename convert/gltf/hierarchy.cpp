@@ -33,9 +33,8 @@ std::optional<std::vector<Transform>> instancesOf(std::uint32_t id, const Hierar
     const auto first = translation ? translation : rotation ? rotation : scale;
     if (!first) return std::vector{world};
     const std::size_t count = content.document().accessors[*first].count;
-    std::vector<Vec3> translations(count), scales(count, {1, 1, 1});
+    std::vector<Vec3> translations, scales; // empty: as if there were none
     std::vector<double> rotations;
-    for (std::size_t i = 0; i < count; ++i) rotations.insert(rotations.end(), {0, 0, 0, 1});
     const auto take = [](auto&& read, auto& values) {
         if (read) values = std::move(*read);
         return read.has_value();
@@ -46,14 +45,14 @@ std::optional<std::vector<Transform>> instancesOf(std::uint32_t id, const Hierar
         return std::nullopt;
     std::vector<Transform> worlds(count);
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<double, 4> q{};
-        std::copy_n(rotations.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, q.begin());
+        std::array<double, 4> q{0, 0, 0, 1};
+        if (rotation) std::copy_n(rotations.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, q.begin());
         if (q == std::array<double, 4>{}) {
             content.errors().report("gltf.out-of-range", "a rotation must be a quaternion of length 1, got 0",
                                     *content.document().accessors[*rotation].json);
             return std::nullopt;
         }
-        worlds[i] = world * fromParts(translations[i], q, scales[i]);
+        worlds[i] = world * fromParts(translation ? translations[i] : Vec3(), q, scale ? scales[i] : Vec3{1, 1, 1});
     }
     return worlds;
 }

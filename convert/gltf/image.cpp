@@ -7,6 +7,7 @@
 // tinygltf brings the decoder (stb_image).
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -64,6 +65,10 @@ ImageAverage average(const Value* values, std::size_t pixels) {
     return {{linear[0], linear[1], linear[2]}, {raw[0], raw[1], raw[2]}, raw[3], {}};
 }
 
+/// A pixel of one bit in deflate, which makes at most 1032 bytes of one: no image has more, and none needs room for what
+/// it only says that it has.
+constexpr std::size_t pixelsPerByte = 8 * 1032;
+
 ImageAverage fail(std::string problem) { return {{1, 1, 1}, {1, 1, 1}, 1, std::move(problem)}; }
 
 } // namespace
@@ -72,7 +77,8 @@ ImageAverage averageOf(std::string_view bytes) {
     const auto png = pngSize(bytes);
     const auto size = png ? png : jpegSize(bytes);
     if (!size) return fail("it is neither PNG nor JPEG");
-    if (size->width * size->height > maxImagePixels || bytes.size() > std::numeric_limits<int>::max())
+    const std::size_t most = std::min(maxImagePixels, pixelsPerByte * bytes.size());
+    if (size->width * size->height > most || bytes.size() > std::numeric_limits<int>::max())
         return fail(fmt::format("{}x{} pixels are too many", size->width, size->height));
     tinygltf::Image image;
     std::string error, warning;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace yarte::convert::gltf {
@@ -15,7 +16,7 @@ namespace {
 struct Piece {
     const Primitive* primitive = nullptr;
     std::uint32_t node = 0;
-    std::vector<Transform> places;
+    std::shared_ptr<const std::vector<Transform>> places; ///< the same for all of its mesh
 };
 
 /// Nothing after reporting an error.
@@ -24,10 +25,11 @@ std::optional<std::vector<Piece>> piecesOf(Asset& asset) {
     for (const std::uint32_t id : asset.hierarchy().shown()) {
         const Node& node = asset.document().nodes[id];
         if (!node.mesh) continue;
-        const auto places = instancesOf(id, asset.hierarchy(), asset.content());
-        if (!places) return std::nullopt;
+        auto instances = instancesOf(id, asset.hierarchy(), asset.content());
+        if (!instances || !asset.takeRoom(instances->size() * sizeof(Transform), *node.json)) return std::nullopt;
+        const auto places = std::make_shared<const std::vector<Transform>>(std::move(*instances));
         for (const Primitive& primitive : asset.document().meshes[*node.mesh].primitives)
-            if (primitive.hasTriangles() && primitive.position) pieces.push_back({&primitive, id, *places});
+            if (primitive.hasTriangles() && primitive.position) pieces.push_back({&primitive, id, places});
     }
     return pieces;
 }
@@ -56,12 +58,12 @@ bool reserve(MeshData& all, const std::vector<Piece>& pieces, Asset& asset, bool
         const Primitive& p = *piece.primitive;
         const std::size_t count = asset.document().accessors[*p.position].count;
         const std::size_t order = p.indices ? asset.document().accessors[*p.indices].count : count;
-        vertices += count * piece.places.size();
-        corners += (p.mode == Mode::triangles ? order : 3 * order) * piece.places.size();
+        vertices += count * piece.places->size();
+        corners += (p.mode == Mode::triangles ? order : 3 * order) * piece.places->size();
     }
     if (!asset.takeRoom({.vertices = vertices, .corners = corners, .smooth = smooth}, asset.root()))
         return false;
-    if (pieces.size() == 1 && pieces[0].places.size() == 1) return true; // taken as it is
+    if (pieces.size() == 1 && pieces[0].places->size() == 1) return true; // taken as it is
     reserveWhole(all.vertices, vertices), reserveWhole(all.corners, corners);
     reserveWhole(all.faceStarts, corners / 3 + 1);
     if (smooth) reserveWhole(all.normals, vertices), reserveWhole(all.cornerNormals, corners);
@@ -81,9 +83,9 @@ std::optional<MeshData> collect(Asset& asset) {
         auto mesh = readPrimitive(asset.content(), *piece.primitive, *pose);
         if (!mesh) return std::nullopt;
         const bool isPosed = !pose->joints.empty() && !piece.primitive->joints.empty();
-        for (const Transform& place : piece.places) {
-            const bool isOnly = pieces->size() == 1 && piece.places.size() == 1;
-            MeshData placed = &place == &piece.places.back() ? std::move(*mesh) : *mesh;
+        for (const Transform& place : *piece.places) {
+            const bool isOnly = pieces->size() == 1 && piece.places->size() == 1;
+            MeshData placed = &place == &piece.places->back() ? std::move(*mesh) : *mesh;
             if (!isPosed) transform(placed, place);
             if (isOnly) return placed;
             append(all, std::move(placed), smooth);

@@ -61,6 +61,7 @@ private:
             if (!isShown(primitive)) continue;
             const auto material = materialOf(primitive);
             if (!material) return false;
+            if (!asset_.takeRoom(places->size() * sizeof(Ordered<Body>), *node.json)) return false;
             const bool canBeExact = mesh.primitives.size() == 1 && !node.instances;
             const Exact<Body> exact = canBeExact ? exactOf(id, primitive, *pose) : Exact<Body>();
             for (const Transform& world : *places)
@@ -91,8 +92,9 @@ private:
     }
 
     std::optional<std::size_t> materialOf(const Primitive& primitive) {
-        Tint tint;
-        if (primitive.colour) {
+        const auto [entry, isNew] = tints_.try_emplace(&primitive);
+        Tint& tint = entry->second;
+        if (primitive.colour && isNew) {
             const auto colours = readNumbers(asset_.content(), *primitive.colour);
             if (!colours) return std::nullopt;
             const int components = asset_.document().accessors[*primitive.colour].components;
@@ -140,6 +142,7 @@ private:
     MeshTable meshes_;
     std::vector<Ordered<Body>> bodies_;
     Extent extent_;
+    std::map<const Primitive*, Tint> tints_; ///< of their vertices
     std::map<const Primitive*, bool> isTold_;
 };
 
