@@ -1,8 +1,8 @@
 #include "validate/image_file.h"
 
 #include "validate/pnm.h"
-#include "yarte/base/srgb.h"
 #include "yarte/base/file.h"
+#include "yarte/base/srgb.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -24,15 +24,16 @@ Colour decoded(Colour colour) {
     return {linearFromSrgb(colour.r), linearFromSrgb(colour.g), linearFromSrgb(colour.b)};
 }
 
-/// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes: four
-/// times what the best of common codings reaches.
+/// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes:
+/// four times what the best of common codings reaches.
 constexpr double anyValues = 1 << 24, valuesPerByte = 4096;
 
 void checkSize(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
     const double values = static_cast<double>(spec.width) * spec.height * spec.depth * spec.nchannels;
     const auto bytes = std::filesystem::file_size(file);
     if (values > anyValues + valuesPerByte * static_cast<double>(bytes))
-        throw ImageError(fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
+        throw ImageError(
+            fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
 }
 
 /// All channels of all pixels as numbers of the type T.

@@ -8,7 +8,8 @@
 namespace yarte::convert::gltf {
 namespace {
 
-/// Of all meshes and instances, in bytes: what any file may have, and what it may have for each of its own bytes.
+/// Of all meshes and instances, in bytes: what any file may have, and what it may have for each of its own
+/// bytes.
 constexpr std::size_t anyRoom = std::size_t{1} << 30, roomPerByte = 32;
 
 std::size_t bytesOf(const MeshSize& size) {
@@ -28,8 +29,8 @@ std::unique_ptr<Asset> Asset::open(std::string_view bytes, const std::string& na
     std::unique_ptr<Asset> asset(new Asset(std::move(*root), name, diagnostics));
     asset->document_ = readDocument(asset->root_, asset->errors_);
     if (!asset->document_) return nullptr;
-    asset->content_.emplace(*asset->document_, container->binary.value_or(""), bytes.size(),
-                            std::move(base), asset->errors_);
+    asset->content_.emplace(*asset->document_, container->binary.value_or(""), bytes.size(), std::move(base),
+                            asset->errors_);
     asset->hierarchy_.emplace(*asset->document_);
     asset->room_ = anyRoom + roomPerByte * bytes.size();
     return asset;
@@ -56,7 +57,8 @@ bool Asset::takeRoom(std::size_t bytes, const Json& at) {
 }
 
 bool Asset::takeRoom(const MeshSize& size, const Json& at) {
-    const bool fitsIndices = std::max(size.vertices, size.corners) <= std::numeric_limits<std::uint32_t>::max();
+    const bool fitsIndices =
+        std::max(size.vertices, size.corners) <= std::numeric_limits<std::uint32_t>::max();
     return takeRoom(fitsIndices ? bytesOf(size) : std::numeric_limits<std::size_t>::max(), at);
 }
 

@@ -9,14 +9,15 @@ namespace yarte::convert::gltf {
 
 class Content {
 public:
-    /// `binary`: the .glb's, empty if there is none; must outlive this. `fileSize`: of the whole file, in bytes.
+    /// `binary`: the .glb's, empty if there is none; must outlive this. `fileSize`: of the whole file, in
+    /// bytes.
     Content(const Document&, std::string_view binary, std::size_t fileSize, UriBase, Errors&);
 
     /// All bytes of the view, which begin at its byteOffset; nothing after reporting why not.
     std::optional<std::string_view> bytesOf(std::uint32_t view);
 
-    /// Asked before so many elements of an accessor are read. False after reporting that this and what came before is
-    /// too much for a file of its size: a few bytes can name the same elements again and again.
+    /// Asked before so many elements of an accessor are read. False after reporting that this and what came
+    /// before is too much for a file of its size: a few bytes can name the same elements again and again.
     bool takeElements(std::size_t count, const Json& accessor);
 
     const Document& document() const { return document_; }

@@ -52,7 +52,8 @@ std::optional<std::vector<Transform>> instancesOf(std::uint32_t id, const Hierar
                                     *content.document().accessors[*rotation].json);
             return std::nullopt;
         }
-        worlds[i] = world * fromParts(translation ? translations[i] : Vec3(), q, scale ? scales[i] : Vec3{1, 1, 1});
+        worlds[i] =
+            world * fromParts(translation ? translations[i] : Vec3(), q, scale ? scales[i] : Vec3{1, 1, 1});
     }
     return worlds;
 }

@@ -65,8 +65,8 @@ ImageAverage average(const Value* values, std::size_t pixels) {
     return {{linear[0], linear[1], linear[2]}, {raw[0], raw[1], raw[2]}, raw[3], {}};
 }
 
-/// A pixel of one bit in deflate, which makes at most 1032 bytes of one: no image has more, and none needs room for what
-/// it only says that it has.
+/// A pixel of one bit in deflate, which makes at most 1032 bytes of one: no image has more, and none needs
+/// room for what it only says that it has.
 constexpr std::size_t pixelsPerByte = 8 * 1032;
 
 ImageAverage fail(std::string problem) { return {{1, 1, 1}, {1, 1, 1}, 1, std::move(problem)}; }

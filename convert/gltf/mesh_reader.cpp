@@ -26,7 +26,8 @@ std::optional<std::vector<Piece>> piecesOf(Asset& asset) {
         const Node& node = asset.document().nodes[id];
         if (!node.mesh) continue;
         auto instances = instancesOf(id, asset.hierarchy(), asset.content());
-        if (!instances || !asset.takeRoom(instances->size() * sizeof(Transform), *node.json)) return std::nullopt;
+        if (!instances || !asset.takeRoom(instances->size() * sizeof(Transform), *node.json))
+            return std::nullopt;
         const auto places = std::make_shared<const std::vector<Transform>>(std::move(*instances));
         for (const Primitive& primitive : asset.document().meshes[*node.mesh].primitives)
             if (primitive.hasTriangles() && primitive.position) pieces.push_back({&primitive, id, places});

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
@@ -35,12 +36,25 @@ struct Replay {
 
 std::size_t below(Random& random, std::size_t n) { return n == 0 ? 0 : random() % n; }
 
-/// The quoted words of a dictionary of libFuzzer's.
+/// What a quoted word of libFuzzer's dictionaries stands for: \\, \" and \xHH are one character.
+std::string unquoted(const std::string& line) {
+    std::string word;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+        if (line[i] != '\\')
+            word += line[i];
+        else if (line[++i] != 'x')
+            word += line[i];
+        else
+            word += static_cast<char>(std::stoi(line.substr(i + 1, 2), nullptr, 16)), i += 2;
+    }
+    return word;
+}
+
 std::vector<std::string> wordsIn(const fs::path& dictionary) {
     std::vector<std::string> words;
     std::ifstream in(dictionary);
     for (std::string line; std::getline(in, line);)
-        if (line.size() > 2 && line.front() == '"') words.push_back(line.substr(1, line.size() - 2));
+        if (line.size() > 2 && line.front() == '"') words.push_back(unquoted(line));
     return words;
 }
 
@@ -57,6 +71,14 @@ std::vector<std::string> filesIn(const fs::path& folder, const std::string& exte
     std::vector<std::string> inputs;
     for (const fs::path& file : files) inputs.push_back(yarte::readFile(file));
     return inputs;
+}
+
+/// So that memory without bound is a find, too. Sanitizers reserve more addresses than any limit.
+void limitMemory() {
+#ifndef __SANITIZE_ADDRESS__
+    constexpr rlimit limit{rlim_t{2} << 30, rlim_t{2} << 30};
+    ::setrlimit(RLIMIT_AS, &limit);
+#endif
 }
 
 void mutate(std::string& text, const Replay& replay, Random& random) {
@@ -98,6 +120,7 @@ void run(Replay& replay, const std::string& input) {
 /// whole.
 int main(int argc, char** argv) {
     if (argc < 5) return 2;
+    limitMemory();
     Replay replay;
     replay.words = wordsIn(argv[1]);
     for (int i = 4; i < argc; ++i) {

@@ -76,7 +76,8 @@ TEST(ImageFile, AFewBytesAreNoLargePicture) {
         readPicture(file);
         ADD_FAILURE() << "was read";
     } catch (const ImageError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("30000x30000 pixels are too many for a file of 33 bytes"));
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("30000x30000 pixels are too many for a file of 33 bytes"));
     }
     EXPECT_THROW(readLayers(file), ImageError);
 }

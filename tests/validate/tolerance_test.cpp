@@ -69,7 +69,8 @@ TEST(ToleranceTest, EveryMistakeHasItsPlaceAndCode) {
     using List = std::vector<std::string>;
     EXPECT_EQ(problemsOf("{\n  \"rmse\" 1}"), List{"2:10 tolerance.not-json"});
     EXPECT_EQ(problemsOf(R"({"rmse": 1e999, "reason": "r"})"), List{" tolerance.number-too-large"});
-    EXPECT_EQ(problemsOf(R"({"rmse": "1e300/1e-300", "reason": "r"})"), List{"/rmse tolerance.limit-not-number"});
+    EXPECT_EQ(problemsOf(R"({"rmse": "1e300/1e-300", "reason": "r"})"),
+              List{"/rmse tolerance.limit-not-number"});
     EXPECT_EQ(problemsOf("[]"), List{" tolerance.condition-invalid"});
     EXPECT_EQ(problemsOf("{}"), List{" tolerance.condition-invalid"});
     EXPECT_EQ(problemsOf(R"({"rmse": 1, "max_abs": 1})"), List{" tolerance.condition-invalid"});

@@ -1,5 +1,3 @@
-#include "convert/povray/sdl/arrays.h"
-
 #include "convert/povray/sdl/interpreter.h"
 
 #include <fmt/format.h>
@@ -8,12 +6,20 @@
 
 namespace yarte::convert::povray::sdl {
 
-Value copied(const Value& value) {
+Value Interpreter::copied(const Value& value, Span where, int depth) {
     const auto* array = std::get_if<ArrayPtr>(&value);
     if (!array) return value;
-    auto copy = std::make_shared<Array>(Array{(*array)->sizes, {}});
-    copy->elements.reserve((*array)->elements.size());
-    for (const Value& element : (*array)->elements) copy->elements.push_back(copied(element));
+    const std::size_t count = (*array)->elements.size();
+    if (count > *elementsLeft_ || depth > environment_.limits.nesting)
+        fail("sdl.array",
+             fmt::format("arrays of more than {} elements, or {} levels", environment_.limits.elements,
+                         environment_.limits.nesting),
+             where);
+    spend(count, where);
+    auto copy = std::make_shared<Array>(Array{(*array)->sizes, {}, {elementsLeft_, count}});
+    copy->elements.reserve(count);
+    for (const Value& element : (*array)->elements)
+        copy->elements.push_back(copied(element, where, depth + 1));
     return copy;
 }
 
@@ -58,24 +64,24 @@ Value& Interpreter::element(const Token& name, Value& value) {
 }
 
 Value Interpreter::arrayLiteral(const Token& word) {
-    auto array = std::make_shared<Array>();
+    std::vector<int> sizes;
     accept("mixed");
     std::size_t count = 1;
     while (peekTail().is('[')) {
         next();
         const double size = std::trunc(number());
         expect(']');
-        if (!(size >= 1 && size <= static_cast<double>(elementsLeft_)) || array->sizes.size() == 5)
+        if (!(size >= 1 && size <= static_cast<double>(*elementsLeft_)) || sizes.size() == 5)
             fail("sdl.array", fmt::format("an array of {} elements, or of more than 5 dimensions", size),
                  word.span);
-        array->sizes.push_back(static_cast<int>(size));
-        if (count > elementsLeft_ / static_cast<std::size_t>(size))
+        sizes.push_back(static_cast<int>(size));
+        if (count > *elementsLeft_ / static_cast<std::size_t>(size))
             fail("sdl.array", fmt::format("arrays of more than {} elements", environment_.limits.elements),
                  word.span);
         count *= static_cast<std::size_t>(size);
     }
-    if (array->sizes.empty()) failExpected("'[' and the array's size");
-    elementsLeft_ -= count;
+    if (sizes.empty()) failExpected("'[' and the array's size");
+    auto array = std::make_shared<Array>(Array{std::move(sizes), {}, {elementsLeft_, count}});
     array->elements.resize(count);
     std::size_t at = 0;
     if (peekTail().is('{')) fillArray(*array, 0, at);

@@ -38,6 +38,10 @@ struct KindOf {
 
 const char* kindOf(const Object& object) { return std::visit(KindOf(), object.shape); }
 
+/// Of all meshes: those of round shapes, and copies of the file's where a transformation needs one. A few
+/// words can ask for any number.
+constexpr std::size_t maxFaces = 50'000'000;
+
 class ObjectBuilder {
 public:
     ObjectBuilder(const Model& model, bool isMirrored, Tolerance tolerance, Report& report,
@@ -74,6 +78,7 @@ private:
     }
 
     void add(const Object& object, const Affine& outer, const Style& outerStyle) {
+        if (hasTooManyFaces_) return;
         for (const std::string& word : object.ignored)
             tell(object, {word, Action::dropped, "has no counterpart"});
         if (object.isHidden) return drop(object, "it is not in the picture, though mirrors may show it");
@@ -156,6 +161,7 @@ private:
             const std::size_t known = meshes_.size();
             const auto placed = meshes_.place(mesh, index, p.map, flat);
             const bool isNew = meshes_.size() > known;
+            if (isNew && !takeFaces(meshes_[placed->mesh].faceCount(), p.object)) return;
             if (placed && (!isNew || isGood(check(meshes_[placed->mesh]), p.object)))
                 addBody(inUnits(*placed, model_.unit), {}, p, lookOf({p.object, p.map, style}), &style);
         }
@@ -285,8 +291,19 @@ private:
 
     /// In the file's lengths.
     void addMesh(MeshData data, const Placed& p, const Look& look, const Style* style) {
-        if (!isGood(check(data), p.object)) return;
+        if (!takeFaces(data.faceCount(), p.object) || !isGood(check(data), p.object)) return;
         addBody(inUnits(meshes_.add(std::move(data)), model_.unit), {}, p, look, style);
+    }
+
+    /// False after an error.
+    bool takeFaces(std::size_t count, const Object& object) {
+        hasTooManyFaces_ = count > facesLeft_;
+        if (hasTooManyFaces_)
+            diagnostics_.error("sdl.too-many-faces", fmt::format("meshes of more than {} faces", maxFaces),
+                               object.span);
+        else
+            facesLeft_ -= count;
+        return !hasTooManyFaces_;
     }
 
     void addBody(Shape shape, std::optional<Referential> referential, const Placed& p, const Look& look,
@@ -332,6 +349,9 @@ private:
     std::map<const Object*, RoundMesh> roundMeshes_;
     std::vector<Body> bodies_;
     std::vector<BuiltLight> lights_;
+
+    std::size_t facesLeft_ = maxFaces;
+    bool hasTooManyFaces_ = false;
 
     TriangleRun run_;
     Look runLook_;

@@ -1,6 +1,5 @@
 // Expressions. From the loosest to the tightest: ? :, & |, comparisons, + -, * /, signs and !.
 
-#include "convert/povray/sdl/arrays.h"
 #include "convert/povray/sdl/builtins.h"
 #include "convert/povray/sdl/colour_words.h"
 #include "convert/povray/sdl/function.h"
@@ -121,6 +120,15 @@ bool Interpreter::startsString() {
 
 std::string Interpreter::string() {
     const Nested nested(*this);
+    std::string text = someString();
+    if (text.size() > stringsLeft_)
+        fail("sdl.string-too-long",
+             fmt::format("strings of more than {} bytes in all", environment_.limits.strings), peekSpan());
+    stringsLeft_ -= text.size();
+    return text;
+}
+
+std::string Interpreter::someString() {
     if (peek().kind == TokenKind::string) return unescaped(next());
     if (!startsString()) failExpected("a string");
     if (auto named = acceptNamed<std::string>()) return *named;
@@ -348,7 +356,7 @@ Value Interpreter::value() {
             if (!call) return function;
             putBack(std::move(name));
         } else if (!std::holds_alternative<Vector>(*named)) {
-            Value result = copied(*named);
+            Value result = copied(*named, peekSpan());
             takeNamed();
             return result;
         }

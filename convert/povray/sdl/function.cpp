@@ -23,6 +23,9 @@ struct Compiler {
     Interpreter& in;
     const std::vector<std::string>& parameters;
     std::string missing{}; ///< what cannot be computed, if anything
+    int size = 0;          ///< operands so far
+    Function
+        called{}; ///< its `depth` and `steps`: the deepest, and the sum, of the functions that are called
 
     Evaluate logical() {
         const Interpreter::Nested nested(in);
@@ -80,10 +83,28 @@ struct Compiler {
 
     Evaluate sign() {
         const Interpreter::Nested nested(in);
+        if (++size > in.environment().limits.functionSize) failTooLarge();
         if (in.accept('+')) return sign();
         if (in.accept('!')) return [a = sign()](Arguments v) -> double { return a(v) == 0; };
         if (in.accept('-')) return [a = sign()](Arguments v) { return -a(v); };
         return power();
+    }
+
+    [[noreturn]] void failTooLarge() {
+        const Limits& limits = in.environment().limits;
+        in.fail("sdl.function",
+                fmt::format(
+                    "a function of more than {} operands, or {} with those that it calls, or as many levels",
+                    limits.functionSize, limits.functionSteps),
+                in.peekSpan());
+    }
+
+    /// With what was compiled.
+    void measure(Function& function) {
+        function.depth = size + called.depth;
+        function.steps = static_cast<std::uint64_t>(size) + called.steps;
+        const Limits& limits = in.environment().limits;
+        if (function.depth > limits.functionSize || function.steps > limits.functionSteps) failTooLarge();
     }
 
     Evaluate power() {
@@ -173,6 +194,8 @@ struct Compiler {
             in.fail("sdl.arguments",
                     fmt::format("the function takes {} arguments", function->parameters.size()),
                     in.peek().span);
+        called.depth = std::max(called.depth, function->depth);
+        called.steps += function->steps;
         return [list = std::move(list), function](Arguments v) {
             std::vector<double> values;
             for (const Evaluate& e : list) values.push_back(e(v));
@@ -214,6 +237,7 @@ Value parseFunction(Interpreter& in) {
     Compiler compiler{in, function->parameters};
     Evaluate compiled = compiler.logical();
     in.expect('}');
+    compiler.measure(*function);
     if (compiler.missing.empty())
         function->evaluate = std::move(compiled);
     else
@@ -221,7 +245,7 @@ Value parseFunction(Interpreter& in) {
     return Shared<Function>(function);
 }
 
-Vector call(const Function& function, std::span<const double> arguments, const Interpreter& in, Span where) {
+Vector call(const Function& function, std::span<const double> arguments, Interpreter& in, Span where) {
     if (!function.evaluate) {
         in.report(where, "function of " + function.kind, "is not computed: zero is taken");
         // A pigment's function gives a colour, which a component may be taken of.
@@ -234,6 +258,7 @@ Vector call(const Function& function, std::span<const double> arguments, const I
                 fmt::format("the function takes {} arguments, not {}", function.parameters.size(),
                             arguments.size()),
                 where);
+    in.spend(function.steps, where);
     return Vector::number(function.evaluate(arguments));
 }
 

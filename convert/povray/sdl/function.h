@@ -4,6 +4,7 @@
 
 #include "convert/povray/sdl/value.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -19,12 +20,15 @@ struct Function {
     std::vector<std::string> parameters{"x", "y", "z"};
     Evaluate evaluate;  ///< null: it needs patterns or POV-Ray's internal functions, see `kind`
     std::string kind{}; ///< "pattern", "internal", ...
+    int depth =
+        0; ///< operands, and those of the deepest function that it calls: bounds the stack that it takes
+    std::uint64_t steps = 0; ///< operands that a call evaluates, with all that it calls
 };
 
 /// From the word `function`, which comes next.
 Value parseFunction(Interpreter&);
 
 /// The function's value; 0, and a report, if it is none that is computed.
-Vector call(const Function&, std::span<const double> arguments, const Interpreter&, Span where);
+Vector call(const Function&, std::span<const double> arguments, Interpreter&, Span where);
 
 } // namespace yarte::convert::povray::sdl

@@ -8,7 +8,8 @@ Interpreter::Interpreter(Environment environment, Statements& statements, Source
                          std::filesystem::path file)
     : environment_(std::move(environment)), statements_(statements),
       folder_(file.has_parent_path() ? file.parent_path() : "."), tokensLeft_(environment_.limits.tokens),
-      elementsLeft_(environment_.limits.elements), bytesLeft_(environment_.limits.written) {
+      elementsLeft_(std::make_shared<std::size_t>(environment_.limits.elements)),
+      stringsLeft_(environment_.limits.strings), bytesLeft_(environment_.limits.written) {
     const Source& source = environment_.sources[text];
     frames_.push_back({Lexer(source.text(), text), std::move(file), source.name(), {}});
 }
@@ -85,13 +86,18 @@ void Interpreter::leaveFrame() {
     symbols_.leave();
 }
 
-Token Interpreter::lex() {
-    if (tokensLeft_ == 0)
+void Interpreter::spend(std::uint64_t steps, Span where) {
+    if (steps > tokensLeft_)
         fail("sdl.runs-too-long",
-             fmt::format("the program has not ended after {} words", environment_.limits.tokens),
-             {frame().lexer.source(), frame().lexer.offset(), frame().lexer.offset()});
+             fmt::format("the program has not ended after {} words", environment_.limits.tokens), where);
+    tokensLeft_ -= steps;
+}
+
+Token Interpreter::lex() {
+    Lexer& lexer = frame().lexer;
+    if (tokensLeft_ == 0) spend(1, {lexer.source(), lexer.offset(), lexer.offset()});
     --tokensLeft_;
-    return frame().lexer.next();
+    return lexer.next();
 }
 
 namespace {

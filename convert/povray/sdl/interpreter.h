@@ -131,6 +131,8 @@ public:
     /// "expected WHAT, found ..."
     [[noreturn]] void failExpected(std::string_view what);
     void report(Span where, std::string what, std::string detail) const;
+    /// So much more that the program does, besides reading words.
+    void spend(std::uint64_t steps, Span where);
     void warn(std::string_view code, const std::string& message, Span where);
 
     /// The value of a global name, if it has one.
@@ -247,6 +249,9 @@ private:
     Vector components(const Token& place, Vector);
     Value& element(const Token& name, Value& array);
     Value arrayLiteral(const Token&);
+    std::string someString();
+    /// Arrays are values: a copy does not change with its original.
+    Value copied(const Value&, Span where, int depth = 0);
     void fillArray(Array&, std::size_t dimension, std::size_t& at);
 
     Environment environment_;
@@ -259,7 +264,8 @@ private:
     double version_ = 3.62;
     std::unordered_map<std::string, SourceId> included_; ///< by file
     std::uint64_t tokensLeft_;
-    std::size_t elementsLeft_;
+    std::shared_ptr<std::size_t> elementsLeft_; ///< as ArrayRoom wants it
+    std::size_t stringsLeft_;                   ///< bytes of strings that may still be made
     std::vector<std::shared_ptr<DataFile>> beingWritten_;
     std::size_t bytesLeft_; ///< of what #write may write
     int nesting_ = 0;

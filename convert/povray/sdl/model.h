@@ -171,6 +171,8 @@ struct Object {
     std::vector<std::string> ignored;
     bool isHidden = false; ///< no_image: not in the picture, though it may be seen in mirrors
     Span span;             ///< its keyword
+    std::size_t count = 1; ///< objects that it is made of, itself and each as often as it is used
+    int depth = 1;         ///< of objects in each other
 };
 
 struct CameraModel {

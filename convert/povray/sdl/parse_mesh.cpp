@@ -64,6 +64,7 @@ MeshShape Parser::mesh2(Interpreter& in) {
                     if (!in.accept("texture")) in.failExpected("a texture");
                     mesh.textures.push_back(texture(in));
                 }
+                takeObjects(in, mesh.textures.back().size() - 1, in.peekSpan());
                 in.comma();
             }
             in.expect('}');
@@ -156,6 +157,7 @@ MeshShape Parser::mesh(Interpreter& in) {
                 textures.try_emplace(named->get(), static_cast<std::uint32_t>(mesh.textures.size()));
             if (isNew) {
                 mesh.textures.push_back(**named);
+                takeObjects(in, (*named)->size() - 1, in.peekSpan());
                 kept.push_back(*named); // its address is the key
             }
             mesh.faceTextures.resize(mesh.faces.size(), MeshShape::none);

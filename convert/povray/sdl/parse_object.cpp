@@ -6,19 +6,19 @@
 
 #include <fmt/format.h>
 
-namespace yarte::convert::povray::sdl {
-namespace {
+#include <algorithm>
 
-/// Layers put on `layers`: POV-Ray adds them on top.
-void putOn(std::optional<Layers>& layers, Layers&& more) {
+namespace yarte::convert::povray::sdl {
+void putOn(Interpreter& in, std::optional<Layers>& layers, Layers more) {
     if (!layers) {
         layers = std::move(more);
         return;
     }
+    if (layers->size() + more.size() > in.environment().limits.layers)
+        in.fail("sdl.layers", fmt::format("a texture of more than {} layers", in.environment().limits.layers),
+                in.peekSpan());
     layers->insert(layers->end(), more.begin(), more.end());
 }
-
-} // namespace
 
 std::optional<Affine> acceptTransformation(Interpreter& in) {
     if (in.accept("translate")) return translation(in.vector3());
@@ -76,9 +76,7 @@ ObjectPtr Parser::object(Interpreter& in) {
     if (in.peek().kind != TokenKind::word || in.peek().symbol || !isObjectKeyword(in.peek().text))
         return nullptr;
     const Token keyword = in.next();
-    if (++objects_ > in.environment().limits.objects)
-        in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects),
-                keyword.span);
+    takeObjects(in, 1, keyword.span);
     auto made = std::make_shared<Object>();
     if (keyword.text == "object") {
         in.expect('{');
@@ -99,7 +97,34 @@ ObjectPtr Parser::object(Interpreter& in) {
     }
     made->span = keyword.span;
     modifiers(in, *made);
+    measure(in, *made);
     return made;
+}
+
+void Parser::measure(Interpreter& in, Object& object) {
+    const Limits& limits = in.environment().limits;
+    object.count = 1, object.depth = 1;
+    const auto take = [&](const Object& part) {
+        object.count += part.count;
+        object.depth = std::max(object.depth, part.depth + 1);
+        if (object.depth > limits.nesting)
+            in.fail("sdl.too-deep", fmt::format("more than {} levels of objects", limits.nesting),
+                    object.span);
+        if (object.count > limits.objects)
+            in.fail("sdl.objects", fmt::format("more than {} objects", limits.objects), object.span);
+    };
+    if (const auto* all = std::get_if<UnionShape>(&object.shape))
+        for (const ObjectPtr& part : all->parts) take(*part);
+    if (const auto* light = std::get_if<LightShape>(&object.shape))
+        if (light->looksLike) take(*light->looksLike);
+    for (const auto* layers : {&object.appearance.layers, &object.appearance.backLayers})
+        if (*layers && !(*layers)->empty()) takeObjects(in, (*layers)->size() - 1, object.span);
+}
+
+void Parser::takeObjects(Interpreter& in, std::size_t count, Span where) {
+    const std::size_t most = in.environment().limits.objects;
+    if (count > most - objects_) in.fail("sdl.objects", fmt::format("more than {} objects", most), where);
+    objects_ += count;
 }
 
 ObjectShape Parser::shape(Interpreter& in, const Token& keyword) {
@@ -240,11 +265,11 @@ bool Parser::modifier(Interpreter& in, Object& object) {
     if (w == "texture") {
         in.next();
         look.exact.reset();
-        putOn(look.layers, texture(in));
+        putOn(in, look.layers, texture(in));
     } else if (w == "interior_texture") {
         in.next();
         look.exact.reset();
-        putOn(look.backLayers, texture(in));
+        putOn(in, look.backLayers, texture(in));
     } else if (w == "pigment") {
         in.next();
         pigment(in, plain().pigment);
@@ -264,8 +289,8 @@ bool Parser::modifier(Interpreter& in, Object& object) {
         in.next();
         Appearance made;
         material(in, made);
-        if (made.layers) putOn(look.layers, std::move(*made.layers));
-        if (made.backLayers) putOn(look.backLayers, std::move(*made.backLayers));
+        if (made.layers) putOn(in, look.layers, std::move(*made.layers));
+        if (made.backLayers) putOn(in, look.backLayers, std::move(*made.backLayers));
         if (made.interior) look.interior = std::move(made.interior);
         look.exact = made.exact;
     } else if (w == "color" || w == "colour") { // old files: of a quick preview

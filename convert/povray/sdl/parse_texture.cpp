@@ -366,14 +366,10 @@ void Parser::material(Interpreter& in, Appearance& appearance) {
         if (auto named = in.acceptNamed<Shared<Appearance>>()) {
             appearance = **named;
         } else if (in.accept("texture")) {
-            const Layers layers = texture(in);
-            if (!appearance.layers) appearance.layers.emplace();
-            appearance.layers->insert(appearance.layers->end(), layers.begin(), layers.end());
+            putOn(in, appearance.layers, texture(in));
             appearance.exact.reset();
         } else if (in.accept("interior_texture")) {
-            const Layers layers = texture(in);
-            if (!appearance.backLayers) appearance.backLayers.emplace();
-            appearance.backLayers->insert(appearance.backLayers->end(), layers.begin(), layers.end());
+            putOn(in, appearance.backLayers, texture(in));
             appearance.exact.reset();
         } else if (in.accept("interior")) {
             appearance.interior = appearance.interior.value_or(Interior{});

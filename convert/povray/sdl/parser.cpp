@@ -32,13 +32,12 @@ std::optional<Value> Parser::value(Interpreter& in) {
     const std::string_view w = token.text;
     if (isObjectKeyword(w)) return object(in);
     if (w == "texture") {
-        Layers layers;
+        std::optional<Layers> layers;
         while (in.peekTail().isWord("texture")) {
             in.next();
-            const Layers more = texture(in);
-            layers.insert(layers.end(), more.begin(), more.end());
+            putOn(in, layers, texture(in));
         }
-        return shared(std::move(layers));
+        return shared(std::move(*layers));
     }
     if (w == "pigment") {
         in.next();
@@ -108,6 +107,10 @@ void Parser::defaults(Interpreter& in) {
 }
 
 void Parser::addObject(Interpreter& in, ObjectPtr object) {
+    shown_ += object->count;
+    if (shown_ > in.environment().limits.objects)
+        in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects),
+                object->span);
     // Axes as YARTE's file had them, kept beside the rotation that they stand for. What is seen decides.
     if (object->exactAxes) object = withWrittenAxes(in, *object);
     if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;

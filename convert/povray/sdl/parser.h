@@ -38,6 +38,9 @@ private:
     void parts(Interpreter&, UnionShape&);
     PolygonShape polygon(Interpreter&);
     void addObject(Interpreter&, ObjectPtr);
+    /// Sets its count and depth, which must be within the limits.
+    void measure(Interpreter&, Object&);
+    void takeObjects(Interpreter&, std::size_t count, Span where);
 
     // parse_mesh.cpp
     MeshShape mesh(Interpreter&);
@@ -65,11 +68,15 @@ private:
 
     Model model_;
     std::size_t objects_ = 0; ///< made so far, in unions and declarations, too
+    std::size_t shown_ = 0;   ///< objects of the scene, with their parts
     std::size_t bodies_ = 0;  ///< objects of the scene that are no lights
     bool hasUnit_ = false;    ///< a known macro has been met, with model_.unit
     std::map<const Array*, MeshId>
         exactMeshes_; ///< by their array of vertices, which lives as long as its name
 };
+
+/// Layers put on `layers`: POV-Ray adds them on top.
+void putOn(Interpreter&, std::optional<Layers>& layers, Layers more);
 
 /// A transformation (translate, rotate, scale, matrix, transform), if one comes next: read.
 std::optional<Affine> acceptTransformation(Interpreter&);

@@ -59,10 +59,29 @@ using Value = std::variant<std::monostate, Vector, std::string, ArrayPtr, Shared
 /// "a number", "a vector of 3", "a string", "an object", ...
 std::string kindOf(const Value&);
 
+/// What the elements of an array take, as long as it lives, of those that there may be.
+class ArrayRoom {
+public:
+    ArrayRoom() = default;
+    ArrayRoom(std::shared_ptr<std::size_t> left, std::size_t taken) : left_(std::move(left)), taken_(taken) {
+        *left_ -= taken;
+    }
+    ~ArrayRoom() {
+        if (left_) *left_ += taken_;
+    }
+    ArrayRoom(ArrayRoom&& other) noexcept = default;
+    ArrayRoom& operator=(ArrayRoom&&) = delete;
+
+private:
+    std::shared_ptr<std::size_t> left_;
+    std::size_t taken_ = 0;
+};
+
 /// Row-major.
 struct Array {
-    std::vector<int> sizes;
-    std::vector<Value> elements;
+    std::vector<int> sizes{};
+    std::vector<Value> elements{};
+    ArrayRoom room{};
 };
 
 /// Where a macro's text is.
