@@ -15,7 +15,7 @@ Value Interpreter::copied(const Value& value, Span where, int depth) {
              fmt::format("arrays of more than {} elements, or {} levels", environment_.limits.elements,
                          environment_.limits.nesting),
              where);
-    spend(count, where);
+    takeSteps(count, where);
     auto copy = std::make_shared<Array>(Array{(*array)->sizes, {}, {elementsLeft_, count}});
     copy->elements.reserve(count);
     for (const Value& element : (*array)->elements)

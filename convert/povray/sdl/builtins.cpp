@@ -107,7 +107,7 @@ Vec3 extent(Interpreter& in, const Token& name) {
     in.expect('(');
     const ObjectPtr found = object(in);
     in.expect(')');
-    in.spend(found->count, name.span);
+    in.takeSteps(found->count, name.span);
     const auto box = in.statements().extent(*found);
     if (!box) {
         in.report(name.span, std::string(name.text), "of an object whose extent is not known: 0 is taken");

@@ -258,7 +258,7 @@ Vector call(const Function& function, std::span<const double> arguments, Interpr
                 fmt::format("the function takes {} arguments, not {}", function.parameters.size(),
                             arguments.size()),
                 where);
-    in.spend(function.steps, where);
+    in.takeSteps(function.steps, where);
     return Vector::number(function.evaluate(arguments));
 }
 

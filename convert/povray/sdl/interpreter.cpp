@@ -86,7 +86,7 @@ void Interpreter::leaveFrame() {
     symbols_.leave();
 }
 
-void Interpreter::spend(std::uint64_t steps, Span where) {
+void Interpreter::takeSteps(std::uint64_t steps, Span where) {
     if (steps > tokensLeft_)
         fail("sdl.runs-too-long",
              fmt::format("the program has not ended after {} words", environment_.limits.tokens), where);
@@ -95,7 +95,7 @@ void Interpreter::spend(std::uint64_t steps, Span where) {
 
 Token Interpreter::lex() {
     Lexer& lexer = frame().lexer;
-    if (tokensLeft_ == 0) spend(1, {lexer.source(), lexer.offset(), lexer.offset()});
+    if (tokensLeft_ == 0) takeSteps(1, {lexer.source(), lexer.offset(), lexer.offset()});
     --tokensLeft_;
     return lexer.next();
 }

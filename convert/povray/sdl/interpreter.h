@@ -132,7 +132,7 @@ public:
     [[noreturn]] void failExpected(std::string_view what);
     void report(Span where, std::string what, std::string detail) const;
     /// So much more that the program does, besides reading words.
-    void spend(std::uint64_t steps, Span where);
+    void takeSteps(std::uint64_t steps, Span where);
     void warn(std::string_view code, const std::string& message, Span where);
 
     /// The value of a global name, if it has one.
