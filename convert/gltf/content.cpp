@@ -6,7 +6,7 @@ namespace yarte::convert::gltf {
 namespace {
 
 /// Elements of accessors: what any file may read, and what it may read for each byte of it and its buffers.
-constexpr std::size_t anyElements = std::size_t{1} << 26, elementsPerByte = 256;
+constexpr std::size_t anyElements = std::size_t{1} << 22, elementsPerByte = 256;
 
 } // namespace
 

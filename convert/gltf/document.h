@@ -113,6 +113,6 @@ std::optional<Document> readDocument(const Json& root, Errors&);
 void checkRequiredExtensions(const Object& root);
 
 /// Of an accessor without bytes in a buffer, zeros: a file of some bytes must not ask for all memory.
-inline constexpr std::size_t maxZeros = std::size_t{1} << 22;
+inline constexpr std::size_t maxZeros = std::size_t{1} << 20;
 
 } // namespace yarte::convert::gltf

@@ -58,14 +58,17 @@ std::vector<std::string> wordsIn(const fs::path& dictionary) {
     return words;
 }
 
+/// Those that the extensions name, without those that are kept; all of a folder of these ("*").
 std::vector<std::string> filesIn(const fs::path& folder, const std::string& extensions) {
     std::vector<fs::path> files;
+    const bool isKept = extensions == "*";
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         const std::string extension = entry.path().extension().string();
         const bool isWanted =
-            extensions == "*" || (!extension.empty() && extensions.find(extension) != extensions.npos);
-        if (entry.is_regular_file() && isWanted && entry.file_size() <= longest)
-            files.push_back(entry.path());
+            isKept ||
+            (!extension.empty() && extensions.find(extension) != extensions.npos &&
+             entry.file_size() <= longest && entry.path().string().find("/kept/") == std::string::npos);
+        if (entry.is_regular_file() && isWanted) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     std::vector<std::string> inputs;
@@ -117,29 +120,30 @@ void run(Replay& replay, const std::string& input) {
 } // namespace
 
 /// replay DICTIONARY COUNT EXTENSIONS FOLDER...: all files, then COUNT mutations. A folder "kept" is taken
-/// whole.
+/// whole, and as it is: its finds are slow on purpose, and so would be what comes of them.
 int main(int argc, char** argv) {
     if (argc < 5) return 2;
     limitMemory();
     Replay replay;
     replay.words = wordsIn(argv[1]);
+    std::size_t files = 0;
     for (int i = 4; i < argc; ++i) {
         const bool isKept = fs::path(argv[i]).parent_path().filename() == "kept";
         if (!fs::is_directory(argv[i])) continue;
-        for (std::string& input : filesIn(argv[i], isKept ? "*" : argv[3]))
-            replay.inputs.push_back(std::move(input));
+        for (std::string& input : filesIn(argv[i], isKept ? "*" : argv[3])) {
+            run(replay, input), ++files;
+            if (!isKept) replay.inputs.push_back(std::move(input));
+        }
     }
     if (replay.inputs.empty()) replay.inputs.push_back("");
-    const std::vector<std::string> inputs = replay.inputs;
-    for (const std::string& input : inputs) run(replay, input);
     Random random(1);
     for (int i = std::atoi(argv[2]); i > 0; --i) {
-        std::string input = inputs[below(random, inputs.size())];
+        std::string input = replay.inputs[below(random, replay.inputs.size())];
         for (std::size_t changes = 1 + below(random, 5); changes > 0; --changes)
             mutate(input, replay, random);
         run(replay, input);
     }
     fs::remove("replayed-input");
-    fmt::print("{} inputs ({} files), the slowest in {:.3f} s\n", replay.count, inputs.size(),
+    fmt::print("{} inputs ({} files), the slowest in {:.3f} s\n", replay.count, files,
                replay.slowest.count());
 }

@@ -107,9 +107,9 @@ TEST(ToleranceTest, EveryMistakeHasItsPlaceAndCode) {
 
 TEST(ToleranceTest, GroupsAreNotDeep) {
     const auto nested = [](int levels) {
-        std::string text = "{\"max_abs\": \"4/65535\"}";
-        for (int i = 0; i < levels; ++i) text = "{\"all\": [" + text + "]}";
-        return text;
+        std::string text = "{\"max_abs\": \"4/65535\"}", before;
+        for (int i = 0; i < levels; ++i) before += "{\"all\": [", text += "]}";
+        return before + text;
     };
     EXPECT_THAT(problemsOf(nested(50)), testing::IsEmpty());
     EXPECT_THAT(problemsOf(nested(51)), testing::ElementsAre(testing::EndsWith(" tolerance.too-deep")));

@@ -46,7 +46,7 @@ TEST(SdlBudget, CallsCountAsWords) {
     limits.tokens = 100'000;
     const std::string text =
         "#declare f = function(x) { " + repeated(999, "x+") + "x }\n" +
-        "#declare i = 0;\n#while (i < 200) #declare y = f(i); #declare i = i + 1; #end\n";
+        "#declare i = 0;\n#while (i < 200) #declare Value = f(i); #declare i = i + 1; #end\n";
     EXPECT_THAT(problemsOf(text), IsEmpty());
     EXPECT_THAT(problemsOf(text, limits), HasSubstr("[sdl.runs-too-long]"));
 }
@@ -88,7 +88,9 @@ TEST(SdlBudget, ArraysOfArrays) {
         return "#declare A = array[2]\n" + repeated(times, "#declare A = array[2] { A, A }\n");
     };
     EXPECT_THAT(problemsOf(doubled(10)), IsEmpty());
-    EXPECT_THAT(problemsOf(doubled(60)), HasSubstr("[sdl.array]"));
+    Limits limits;
+    limits.elements = 10'000;
+    EXPECT_THAT(problemsOf(doubled(60), limits), HasSubstr("[sdl.array]"));
     EXPECT_THAT(problemsOf("#declare A = array[1]\n" + repeated(2000, "#declare A = array[1] { A }\n")),
                 HasSubstr("[sdl.array]"));
 }
