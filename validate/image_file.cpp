@@ -25,12 +25,14 @@ Colour decoded(Colour colour) {
 }
 
 /// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes:
-/// four times what the best of common codings reaches.
-constexpr double anyValues = 1 << 24, valuesPerByte = 4096;
+/// one bit each in deflate, which makes at most 1032 bytes of one.
+constexpr double anyValues = 1 << 24, valuesPerByte = 8 * 1032;
 
 void checkSize(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
     const double values = static_cast<double>(spec.width) * spec.height * spec.depth * spec.nchannels;
-    const auto bytes = std::filesystem::file_size(file);
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(file, error);
+    if (error) throw ImageError(error.message());
     if (values > anyValues + valuesPerByte * static_cast<double>(bytes))
         throw ImageError(
             fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
