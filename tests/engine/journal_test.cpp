@@ -147,6 +147,19 @@ TEST_F(JournalFile, EveryFlippedByteIsFound) {
     }
 }
 
+TEST_F(JournalFile, RecordsOfAnotherJournalAreDamaged) {
+    const std::string whole = written();
+    const std::size_t head = whole.size() - 3 * (8 + 8 + 4 * 8 + 16 * sizeof(Colour));
+    fs::remove(file_);
+    const std::vector<JournalItem> others{{"the scene's text", "abd"}, {"--tile", "4"}};
+    Journal::create(file_, others, tiles);
+    write(readFile(file_) + whole.substr(head));
+    Journal journal = Journal::resume(file_, others, tiles);
+    const Reading reading = read(journal);
+    EXPECT_EQ(reading.damaged, 3U);
+    EXPECT_TRUE(reading.kept.empty());
+}
+
 TEST_F(JournalFile, NamesTheItemThatDiffers) {
     written();
     EXPECT_EQ(whyNotResumed(items), "");
@@ -163,17 +176,41 @@ TEST_F(JournalFile, NamesTheItemThatDiffers) {
     EXPECT_EQ(whyNotResumed(items), "");
 }
 
+/// Files may not grow beyond `bytes`, until the end of the scope: stands for a disk that is full.
+class FullDisk {
+public:
+    explicit FullDisk(std::uintmax_t bytes) {
+        getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit little{bytes, before_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &little);
+    }
+    ~FullDisk() {
+        setrlimit(RLIMIT_FSIZE, &before_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    FullDisk(const FullDisk&) = delete;
+    FullDisk& operator=(const FullDisk&) = delete;
+
+private:
+    rlimit before_{};
+    void (*handler_)(int) = std::signal(SIGXFSZ, SIG_IGN);
+};
+
+TEST_F(JournalFile, AFullDiskLeavesNoHalfHead) {
+    {
+        const FullDisk disk(10);
+        EXPECT_THROW(Journal::create(file_, items, tiles), FileError);
+    }
+    EXPECT_EQ(whyNotResumed(items), "");
+}
+
 TEST_F(JournalFile, AFullDiskEndsTheKeepingNotTheRender) {
     Journal journal = Journal::create(file_, items, tiles);
     add(journal, 0);
-    rlimit before{};
-    getrlimit(RLIMIT_FSIZE, &before);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit little{fs::file_size(file_) + 100, before.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &little);
-    add(journal, 1);
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
+    {
+        const FullDisk disk(fs::file_size(file_) + 100);
+        add(journal, 1);
+    }
     EXPECT_EQ(journal.failure(), "File too large");
     add(journal, 2); // not kept: it would lie behind half a record
     Journal again = Journal::look(file_, items, tiles);

@@ -22,13 +22,14 @@ namespace yarte {
 
 namespace {
 
-constexpr std::string_view magic = "yarte checkpoint 1";
+constexpr std::string_view magic = "yarte checkpoint 2";
 constexpr std::size_t longestHead = 1 << 20; ///< bytes, of one that is not ours
 
 /// How often what was written is flushed to the disk, in seconds.
 constexpr std::int64_t flushInterval = 5;
 
-/// What stands before the pixels of a record. Its checksum is of all that follows it.
+/// What stands before the pixels of a record. Its checksum is of all that follows it, and of the journal's
+/// head: the record of another journal counts as damaged.
 struct RecordHead {
     std::uint64_t checksum;
     std::uint64_t tile;
@@ -36,9 +37,9 @@ struct RecordHead {
 };
 static_assert(std::is_trivially_copyable_v<RecordHead> && std::is_trivially_copyable_v<Colour>);
 
-std::uint64_t checksumOfRecord(const std::vector<char>& record) {
+std::uint64_t checksumOfRecord(const std::vector<char>& record, std::uint64_t checksumOfHead) {
     constexpr std::size_t begin = sizeof(RecordHead::checksum);
-    return checksum({record.data() + begin, record.size() - begin});
+    return checksum({record.data() + begin, record.size() - begin}) ^ checksumOfHead;
 }
 
 /// The head: a line for each item and an empty one, then the checksum of these.
@@ -101,8 +102,9 @@ Journal::Journal(const std::filesystem::path& path, Use use, TileList tiles) : p
 
 Journal::Journal(Journal&& other) noexcept
     : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)), tiles_(other.tiles_),
-      recordSize_(other.recordSize_), firstRecord_(other.firstRecord_), flushedAt_(other.flushedAt_),
-      record_(std::move(other.record_)), failure_(std::move(other.failure_)) {}
+      recordSize_(other.recordSize_), firstRecord_(other.firstRecord_),
+      checksumOfHead_(other.checksumOfHead_), flushedAt_(other.flushedAt_), record_(std::move(other.record_)),
+      failure_(std::move(other.failure_)) {}
 
 Journal::~Journal() {
     if (file_ >= 0) ::close(file_);
@@ -140,8 +142,17 @@ std::size_t Journal::pixelCount(std::size_t tile) const {
 
 void Journal::writeHead(std::span<const JournalItem> items) {
     const std::string head = headOf(items);
-    if (const int error = appendAll(file_, head.data(), head.size())) fail(path_, error);
+    if (const int error = appendAll(file_, head.data(), head.size())) {
+        // Half a head would be refused from now on; an empty file is one to begin.
+        [[maybe_unused]] const int result = ::ftruncate(file_, 0);
+        fail(path_, error);
+    }
+    beginRecordsAfter(head);
+}
+
+void Journal::beginRecordsAfter(std::string_view head) {
     firstRecord_ = static_cast<std::int64_t>(head.size());
+    checksumOfHead_ = checksum(head);
     flushedAt_ = now();
 }
 
@@ -152,11 +163,7 @@ void Journal::checkHead(std::span<const JournalItem> items) {
         bytes.resize(readUpTo(file_, 0, bytes.data(), size, path_));
         return bytes;
     };
-    if (beginning(head.size()) == head) {
-        firstRecord_ = static_cast<std::int64_t>(head.size());
-        flushedAt_ = now();
-        return;
-    }
+    if (beginning(head.size()) == head) return beginRecordsAfter(head);
     const std::string there = beginning(longestHead);
     const auto damaged = [&] {
         return JournalError(fmt::format("{}: no checkpoint, or its head is damaged", path_.string()));
@@ -194,7 +201,7 @@ std::size_t Journal::readTiles(const Restore& restore) {
         if (readUpTo(file_, offset, record_.data(), recordSize_, path_) < recordSize_) break;
         RecordHead head;
         std::memcpy(&head, record_.data(), sizeof head);
-        if (head.checksum != checksumOfRecord(record_) || head.tile >= tiles_.size()) {
+        if (head.checksum != checksumOfRecord(record_, checksumOfHead_) || head.tile >= tiles_.size()) {
             ++damaged;
             continue;
         }
@@ -214,7 +221,7 @@ void Journal::add(std::size_t tile, const RayCounts& rays, const Colour* pixels)
     RecordHead head{0, tile, rays};
     std::memcpy(record_.data(), &head, sizeof head);
     std::memcpy(record_.data() + sizeof head, pixels, pixelCount(tile) * sizeof(Colour));
-    head.checksum = checksumOfRecord(record_);
+    head.checksum = checksumOfRecord(record_, checksumOfHead_);
     std::memcpy(record_.data(), &head.checksum, sizeof head.checksum);
     if (const int error = appendAll(file_, record_.data(), record_.size())) failure_ = std::strerror(error);
     if (now() >= flushedAt_ + flushInterval) flush();

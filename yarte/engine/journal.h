@@ -12,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace yarte {
@@ -64,6 +65,7 @@ private:
     Journal(const std::filesystem::path&, Use, TileList);
     void writeHead(std::span<const JournalItem>);
     void checkHead(std::span<const JournalItem>);
+    void beginRecordsAfter(std::string_view head);
     std::size_t pixelCount(std::size_t tile) const;
 
     std::filesystem::path path_;
@@ -71,7 +73,8 @@ private:
     TileList tiles_;
     std::size_t recordSize_;
     std::int64_t firstRecord_ = 0; ///< offset
-    std::int64_t flushedAt_ = 0;   ///< seconds of the steady clock
+    std::uint64_t checksumOfHead_ = 0;
+    std::int64_t flushedAt_ = 0; ///< seconds of the steady clock
     std::vector<char> record_;
     std::optional<std::string> failure_;
 };
