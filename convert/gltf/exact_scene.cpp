@@ -34,7 +34,8 @@ bool readMaterials(const Json& list, std::vector<UnusedMaterial>& materials, std
 
 bool readMeshes(const Json& list, std::vector<ExactMesh>& meshes, std::string& why) {
     for (const Json& item : list.items()) {
-        ExactMesh& mesh = meshes.emplace_back(percentDecoded(textOf(item, "path")), std::nullopt);
+        ExactMesh& mesh = meshes.emplace_back();
+        mesh.path = percentDecoded(textOf(item, "path"));
         const Json* pmf = item.find("pmf");
         if (pmf == nullptr) continue;
         mesh.data = meshOf(textOf(item, "pmf"), why);

@@ -31,7 +31,7 @@ constexpr std::uint64_t mixed(std::uint64_t x) {
 void GeometryPrint::add(const Corner& a, const Corner& b, const Corner& c) {
     std::array<Bits, 3> corners{bitsOf(a), bitsOf(b), bitsOf(c)};
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) return;
-    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     std::uint64_t hash = 0;
     for (const Bits& corner : corners)
         for (const std::uint32_t bits : corner) hash = mixed(hash + 0x9e3779b97f4a7c15 + bits);
