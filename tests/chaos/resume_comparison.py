@@ -1,17 +1,19 @@
 #!/usr/bin/env python3
-"""A render is killed half way, something is altered, and it is told to go on: what YARTE and POV-Ray (+C) then do, side by side.
-The share of wrong pixels is against an uninterrupted render of what was asked for at last. Needs povray.
+"""A render is killed half way, something is altered, and it is told to go on: what YARTE (--resume) and POV-Ray (+C) then do, side by
+side. The share of wrong pixels is against an uninterrupted render of what was asked for at last. Needs povray.
 """
 import argparse
 import pathlib
 import random
+import re
+import shutil
 import signal
 import subprocess
 import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-SIZE = (1200, 900)
+SIZE = (2000, 1500)
 
 
 def spheres():
@@ -36,12 +38,14 @@ def povray_scene(folder):
     (folder / "part.inc").write_text(f"triangle {{ <-2, -2, 2>, <2, -2, 2>, <0, 2, 2> {finish} }}\n")
 
 
-def yarte(folder, output, *more):
-    return [ROOT / "build/release/bin/yarte", "scene.yarte", "-o", output, "--size", "x".join(map(str, SIZE)), "--processes", "1", "--progress", "none",
+def yarte(output, *more):
+    size = [] if "--size" in more else ["--size", "x".join(map(str, SIZE))]
+    return [ROOT / "build/release/bin/yarte", "scene.yarte", "-o", output, *size, "--processes", "1", "--progress", "none",
             "--checkpoint", f"{output}.journal", *more]
 
 
-def povray(folder, output, *more):
+def povray(output, *more):
+    """A file that is there already is one to go on with only if +C says so."""
     return ["povray", "+Iscene.pov", f"+O{output}", "+FP", f"+W{SIZE[0]}", f"+H{SIZE[1]}", "-D", "+WT1", *more]
 
 
@@ -55,10 +59,8 @@ def edit(file, before, after):
 
 
 def flip(file):
-    """A run of bytes in the middle, as when a block of a disk went bad."""
     data = bytearray(file.read_bytes())
-    middle = len(data) // 2
-    for place in range(middle, min(middle + 4096, len(data))):
+    for place in range(len(data) // 4, len(data), max(1, len(data) // 40)):
         data[place] ^= 0x15
     file.write_bytes(data)
 
@@ -71,47 +73,71 @@ def state_of(program, folder):
 
 # What is altered; how, for each program; the options that a render has from then on.
 ALTERATIONS = {
-    "nothing": {"YARTE": (lambda f: None, []), "POV-Ray": (lambda f: None, [])},
+    "nothing": {"YARTE": (None, []), "POV-Ray": (None, [])},
     "a colour in the scene": {"YARTE": (lambda f: edit(f / "scene.yarte", "0.5 0.4 0.3 0.3 0.3", "0.1 0.4 0.6 0.3 0.3"), []),
                               "POV-Ray": (lambda f: edit(f / "scene.pov", "rgb <0.5, 0.4, 0.3>", "rgb <0.1, 0.4, 0.6>"), [])},
-    "an option (samples, antialiasing)": {"YARTE": (lambda f: None, ["--samples", "2"]), "POV-Ray": (lambda f: None, ["+A0.1"])},
-    "bytes of the state file": {"YARTE": (lambda f: flip(state_of("YARTE", f)), []), "POV-Ray": (lambda f: flip(state_of("POV-Ray", f)), [])},
-    "the mesh or include file": {"YARTE": (lambda f: edit(f / "part.pmf", "0 2 2", "0 0 2"), []),
-                                 "POV-Ray": (lambda f: edit(f / "part.inc", "<0, 2, 2>", "<0, 0, 2>"), [])},
+    "an option: antialiasing": {"YARTE": (None, ["--samples", "2"]), "POV-Ray": (None, ["+A0.1"])},
+    "an option: the size": {"YARTE": (None, ["--size", f"{SIZE[0]}x{SIZE[1] - 200}"]), "POV-Ray": (None, [f"+H{SIZE[1] - 200}"])},
+    "bytes of the state file": {"YARTE": (lambda f: flip(state_of("YARTE", f)), []),
+                                "POV-Ray": (lambda f: flip(state_of("POV-Ray", f)), [])},
+    "the mesh, the include file": {"YARTE": (lambda f: edit(f / "part.pmf", "0 2 2", "0 0 2"), []),
+                                   "POV-Ray": (lambda f: edit(f / "part.inc", "<0, 2, 2>", "<0, 0, 2>"), [])},
 }
 
 
-def pixels(file):
+def picture(file):
+    """The size and the pixels of a PPM file of 8 bits."""
     data = file.read_bytes()
-    body = data[-3 * SIZE[0] * SIZE[1]:]
-    return [body[i:i + 3] for i in range(0, len(body), 3)]
+    head = re.match(rb"P6\s+(?:#.*\n)*(\d+)\s+(\d+)\s+255\s", data)
+    pixels = data[head.end():]
+    return head.groups(), [pixels[i:i + 3] for i in range(0, len(pixels), 3)]
+
+
+def wrong_pixels(got, asked):
+    (got_size, got_pixels), (asked_size, asked_pixels) = picture(got), picture(asked)
+    if got_size != asked_size:
+        return "another size"
+    return f"{100 * sum(a != b for a, b in zip(got_pixels, asked_pixels)) / len(asked_pixels):.2f} %"
+
+
+def killed_half_way(command, folder, output, seconds):
+    """False if it was faster than that."""
+    running = subprocess.Popen(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(0.6 * seconds)  # a part of it is the scene's reading, in which nothing is kept
+    running.send_signal(signal.SIGKILL)
+    return running.wait() == -signal.SIGKILL and not (folder / output).exists()
+
+
+def message(errors):
+    """What it says of that something is wrong or other than it was."""
+    words = "warning", "error", "another", "damaged", "yarte:", "continu", "resum"
+    lines = (line.strip() for line in errors.splitlines() if "Stream to console" not in line)
+    said = next((line for line in lines if any(word in line.lower() for word in words)), "(none)")
+    return said.replace("|", "\\|")[:160]
 
 
 def resumed(program, alteration, folder):
     make, command, resume = PROGRAMS[program]
     make(folder)
     start = time.monotonic()
-    subprocess.run(command(folder, "whole.ppm"), cwd=folder, check=True, capture_output=True)
+    subprocess.run(command("whole.ppm"), cwd=folder, check=True, capture_output=True)
     seconds = time.monotonic() - start
-    running = subprocess.Popen(command(folder, "out.ppm"), cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(0.6 * seconds)
-    running.send_signal(signal.SIGKILL)
-    running.wait()
+    if not killed_half_way(command("out.ppm"), folder, "out.ppm", seconds):
+        raise SystemExit(f"resume-comparison: {program} was done before it was killed; the machine is too restless")
     alter, options = ALTERATIONS[alteration][program]
-    alter(folder)
-    done = subprocess.run(command(folder, "out.ppm", *resume, *options), cwd=folder, capture_output=True, text=True, errors="replace")
-    subprocess.run(command(folder, "asked.ppm", *options), cwd=folder, check=True, capture_output=True)
-    said = [line.strip() for line in done.stderr.splitlines() if "Stream" not in line and any(word in line.lower() for word in ("warning", "error", "another", "damaged", "yarte:"))]
-    said = said[0][:110] if said else ""
-    if done.returncode != 0 or not (folder / "out.ppm").exists():
-        return f"{done.returncode} | {said} | no picture"
-    wrong = sum(a != b for a, b in zip(pixels(folder / "out.ppm"), pixels(folder / "asked.ppm")))
-    return f"{done.returncode} | {said} | {100 * wrong / (SIZE[0] * SIZE[1]):.2f} %"
+    if alter:
+        alter(folder)
+    done = subprocess.run(command("out.ppm", *resume, *options), cwd=folder, capture_output=True, text=True, errors="replace")
+    subprocess.run(command("asked.ppm", *options), cwd=folder, check=True, capture_output=True)
+    wrong = wrong_pixels(folder / "out.ppm", folder / "asked.ppm") if (folder / "out.ppm").exists() else "no picture"
+    return f"{done.returncode} | {message(done.stderr)} | {wrong}"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.parse_args()
+    if shutil.which("povray") is None:
+        raise SystemExit("resume-comparison: povray is not installed")
     print("| altered | program | exit code | message | wrong pixels |\n|---|---|---:|---|---:|", flush=True)
     for alteration in ALTERATIONS:
         for program in PROGRAMS:
