@@ -1,5 +1,6 @@
 #include "validate/image_file.h"
 
+#include "validate/exr_header.h"
 #include "validate/pnm.h"
 #include "yarte/base/file.h"
 #include "yarte/base/srgb.h"
@@ -8,6 +9,7 @@
 #include <OpenImageIO/imageio.h>
 #include <algorithm>
 #include <fmt/format.h>
+#include <memory>
 #include <new>
 
 namespace yarte::validate {
@@ -26,16 +28,28 @@ Colour decoded(Colour colour) {
 
 /// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes:
 /// one bit each in deflate, which makes at most 1032 bytes of one.
-constexpr double anyValues = 1 << 24, valuesPerByte = 8 * 1032;
+constexpr double anyValues = 1 << 22, valuesPerByte = 8 * 1032;
 
-void checkSize(const OIIO::ImageSpec& spec, const std::filesystem::path& file) {
+void checkSize(const OIIO::ImageSpec& spec, std::size_t bytes) {
     const double values = static_cast<double>(spec.width) * spec.height * spec.depth * spec.nchannels;
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(file, error);
-    if (error) throw ImageError(error.message());
     if (values > anyValues + valuesPerByte * static_cast<double>(bytes))
         throw ImageError(
             fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
+}
+
+/// The file with these bytes open, by the reader that its name's extension stands for and no other: OpenImageIO's own way is to
+/// let each of its thirty libraries have a try at a file that the first one refuses. Its size is checked.
+std::unique_ptr<OIIO::ImageInput> openImage(const std::filesystem::path& file, std::string_view bytes,
+                                            const OIIO::ImageSpec& settings = {}) {
+    const std::string extension = file.extension().string();
+    auto input = extension.empty() ? nullptr : OIIO::ImageInput::create(extension.substr(1));
+    if (!input)
+        throw ImageError(fmt::format("'{}' is not the extension of a format that can be read", extension));
+    if (!exrAttributesFit(bytes)) throw ImageError("its header says more than there is");
+    OIIO::ImageSpec spec;
+    if (!input->open(file.string(), spec, settings)) throw ImageError(input->geterror());
+    checkSize(spec, bytes.size());
+    return input;
 }
 
 /// All channels of all pixels as numbers of the type T.
@@ -43,7 +57,10 @@ template <class T>
 std::vector<T> readChannels(OIIO::ImageInput& input, OIIO::TypeDesc type) {
     const OIIO::ImageSpec& spec = input.spec();
     std::vector<T> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, values.data())) throw ImageError(input.geterror());
+    // Unknown stands for "as stored", which needs no buffer of 64 MB to convert from.
+    const bool isStored = spec.format == type && spec.channelformats.empty();
+    if (!input.read_image(0, 0, 0, spec.nchannels, isStored ? OIIO::TypeDesc() : type, values.data()))
+        throw ImageError(input.geterror());
     return values;
 }
 
@@ -61,16 +78,18 @@ Picture toPicture(const OIIO::ImageSpec& spec, const std::vector<T>& values, dou
     return picture;
 }
 
-Stored readByOpenImageIO(const std::filesystem::path& file) {
+Stored readByOpenImageIO(const std::filesystem::path& file, std::string_view bytes) {
     OIIO::ImageSpec asStored;
     asStored.attribute("oiio:UnassociatedAlpha", 1); // else colours are multiplied by alpha
-    const auto input = OIIO::ImageInput::open(file.string(), &asStored);
-    if (!input) throw ImageError(OIIO::geterror());
+    const auto input = openImage(file, bytes, asStored);
     const OIIO::ImageSpec& spec = input->spec();
-    checkSize(spec, file);
-    // As 16-bit integers where that is exact; OpenImageIO's own conversion goes through single precision.
-    if (spec.format == OIIO::TypeDesc::UINT8 || spec.format == OIIO::TypeDesc::UINT16)
-        return {toPicture(spec, readChannels<std::uint16_t>(*input, OIIO::TypeDesc::UINT16), 65535), true};
+    // As they are stored: OpenImageIO's own conversion of integers goes through single precision.
+    if (spec.format == OIIO::TypeDesc::UINT8)
+        return {toPicture(spec, readChannels<std::uint8_t>(*input, spec.format), 255), true};
+    if (spec.format == OIIO::TypeDesc::UINT16)
+        return {toPicture(spec, readChannels<std::uint16_t>(*input, spec.format), 65535), true};
+    if (spec.format == OIIO::TypeDesc::FLOAT)
+        return {toPicture(spec, readChannels<float>(*input, spec.format), 1), false};
     return {toPicture(spec, readChannels<double>(*input, OIIO::TypeDesc::DOUBLE), 1),
             !spec.format.is_floating_point()};
 }
@@ -78,14 +97,12 @@ Stored readByOpenImageIO(const std::filesystem::path& file) {
 Stored readStored(const std::filesystem::path& file) {
     const std::string bytes = readFile(file);
     if (isBinaryPnm(bytes)) return {readPnm(bytes), true};
-    return readByOpenImageIO(file);
+    return readByOpenImageIO(file, bytes);
 }
 
 Layers readLayersByOpenImageIO(const std::filesystem::path& file) {
-    const auto input = OIIO::ImageInput::open(file.string());
-    if (!input) throw ImageError(OIIO::geterror());
+    const auto input = openImage(file, readFile(file));
     const OIIO::ImageSpec& spec = input->spec();
-    checkSize(spec, file);
     Layers layers{spec.width, spec.height, {}, spec.get_string_attribute("yarte.scene")};
     const std::vector<float> values = readChannels<float>(*input, OIIO::TypeDesc::FLOAT);
     const auto channels = static_cast<std::size_t>(spec.nchannels);

@@ -1,3 +1,4 @@
+#include "validate/exr_header.h"
 #include "validate/image_file.h"
 
 #include "tests/validate/support.h"
@@ -80,6 +81,62 @@ TEST(ImageFile, AFewBytesAreNoLargePicture) {
                     testing::HasSubstr("30000x30000 pixels are too many for a file of 32 bytes"));
     }
     EXPECT_THROW(readLayers(file), ImageError);
+}
+
+TEST(ImageFile, AnOpenExrFileHasTheAttributesOfItsHeader) {
+    using namespace std::string_literals;
+    const auto attribute = [](std::int32_t size, const std::string& value,
+                              const std::string& type = "string") {
+        std::string bytes = "name\0"s + type + '\0';
+        bytes.append(reinterpret_cast<const char*>(&size), sizeof size);
+        return bytes + value;
+    };
+    const std::string one = "\x76\x2f\x31\x01\x02\0\0\0"s, many = "\x76\x2f\x31\x01\x02\x10\0\0"s;
+    EXPECT_TRUE(exrAttributesFit(one + attribute(3, "abc") + attribute(1, "d") + "\0"s));
+    EXPECT_FALSE(exrAttributesFit(one + attribute(3, "abc") + attribute(1, "d"))) << "nothing ends it";
+    EXPECT_FALSE(exrAttributesFit(one + attribute(3, "ab")));
+    EXPECT_FALSE(exrAttributesFit(one + attribute(0x7fffffff, "abc") + "\0"s));
+    EXPECT_FALSE(exrAttributesFit(one + attribute(-1, "abc") + "\0"s));
+    EXPECT_FALSE(exrAttributesFit(one + "name"));
+    EXPECT_FALSE(exrAttributesFit(one.substr(0, 6)));
+    EXPECT_TRUE(exrAttributesFit(many + attribute(1, "a") + "\0"s + attribute(1, "b") + "\0\0"s));
+    EXPECT_FALSE(exrAttributesFit(many + attribute(1, "a") + "\0"s + attribute(2, "b")));
+    EXPECT_TRUE(exrAttributesFit("not OpenEXR at all"));
+
+    const auto isRight = [&](const std::string& type, const std::string& value) {
+        return exrAttributesFit(one + attribute(static_cast<std::int32_t>(value.size()), value, type) +
+                                "\0"s);
+    };
+    EXPECT_TRUE(isRight("v2f", "12345678"));
+    EXPECT_FALSE(isRight("v2f", "123456789"));
+    EXPECT_TRUE(isRight("chlist", "R\0"s + std::string(16, 'x') + "\0"s));
+    EXPECT_FALSE(isRight("chlist", "R\0"s + std::string(16, 'x')));
+    EXPECT_FALSE(isRight("chlist", "R\0"s + std::string(15, 'x') + "\0"s));
+    EXPECT_FALSE(isRight("chlist", "\0x"s));
+    EXPECT_TRUE(isRight("stringvector", "\2\0\0\0ab\0\0\0\0"s));
+    EXPECT_FALSE(isRight("stringvector", "\3\0\0\0ab"s));
+    EXPECT_TRUE(isRight("preview", "\1\0\0\0\2\0\0\0rgbargba"s));
+    EXPECT_FALSE(isRight("preview", "\1\0\0\0\3\0\0\0rgbargba"s));
+    EXPECT_TRUE(isRight("unheard-of", "12345"));
+
+    const auto file = scratchFolder() / "p.exr";
+    writeFile(file, one + attribute(0x7fffffff, "abc") + "\0"s);
+    try {
+        readPicture(file);
+        ADD_FAILURE() << "was read";
+    } catch (const ImageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("its header says more than there is"));
+    }
+}
+
+TEST(ImageFile, IsReadAsWhatItsNameSays) {
+    const auto folder = scratchFolder();
+    writeFile(folder / "p.pfm", "PF\n1 1\n-1.0\n" + floatBytes({1, 2, 3}));
+    EXPECT_EQ(readPicture(folder / "p.pfm").pixels[0].b, 3);
+    for (const char* name : {"p.png", "p.exr", "p.raw", "p.unheard-of", "p"}) {
+        writeFile(folder / name, "PF\n1 1\n-1.0\n" + floatBytes({1, 2, 3}));
+        EXPECT_THROW(readPicture(folder / name), ImageError) << name;
+    }
 }
 
 TEST(Srgb, DecodingUndoesEncoding) {
