@@ -31,7 +31,7 @@ inline Bounds bounds(const Cone& c) {
 /// surfaces leaves no crack at the rim: a line that enters always leaves.
 /// In doubt next to the rim, too.
 inline Crossings quickCrossings(const Cone& c, const Ray& ray) {
-    const LocalLine line(ray, c.centre, c.axes, c.radius + c.height);
+    const LocalLine line(ray, c.centre, c.axes, c.radius, c.height);
     const Vec3 p = line.p, d = line.d;
     Stretch inside = stretchInNappe(line, c.nappe);
     std::uint8_t enterPart = 0, leavePart = 0;

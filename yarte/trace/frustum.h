@@ -38,7 +38,7 @@ inline Bounds bounds(const Frustum& f) {
 /// The stretch inside the nappe cut by the slab between the discs; as of a cone, a line that enters always
 /// leaves. A line parallel to the slab is inside it everywhere or nowhere.
 inline Crossings quickCrossings(const Frustum& f, const Ray& ray) {
-    const LocalLine line(ray, f.centre, f.axes, f.baseRadius + f.topRadius + f.height);
+    const LocalLine line(ray, f.centre, f.axes, f.baseRadius + f.topRadius, f.height);
     const Vec3 p = line.p, d = line.d;
     Stretch inside = stretchInNappe(line, f.nappe);
     std::uint8_t enterPart = 0, leavePart = 0;

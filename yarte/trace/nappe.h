@@ -14,11 +14,12 @@ struct Nappe {
     double slope, height, radius;
 };
 
-/// A ray's line as a shape with its own axes sees it: p + (t - moved) d, p relative to the shape's centre, of
-/// which no part of the shape is farther than `reach`. A start half as far again away is first moved to where
-/// the line is nearest to the centre: turning a distant one into other axes would spread the rounding of its
-/// largest coordinate to all of them. t, at least a third of what it is moved by, loses less than two bits by
-/// that.
+/// A ray's line as a shape with its own axes sees it: p + (t - moved) d, p relative to the shape's centre. The
+/// shape lies within `radius` of its axis, from the centre up to the height, so no part of it is farther than
+/// `reach`. A start farther away than one and a half times the radius is first moved to where the line is
+/// nearest to the place of the axis that it started beside: turning a distant one into other axes would spread
+/// the rounding of its largest coordinate to all of them. t, at least a third of what it is moved by, loses
+/// less than two bits by that.
 ///
 /// `far` bounds what the coordinates of p, and those that were rounded on the way to it, are of a line that
 /// comes within reach of the centre. Others are far from every decision.
@@ -26,12 +27,15 @@ struct LocalLine {
     Vec3 p, d;
     double moved, reach, far;
 
-    LocalLine(const Ray& ray, Vec3 centre, const Frame& axes, double reach_) : reach(reach_) {
+    LocalLine(const Ray& ray, Vec3 centre, const Frame& axes, double radius, double height)
+        : reach(radius + height) {
         const Vec3 u = ray.origin - centre;
-        const double nearest = -dot(u, ray.direction);
-        moved = std::abs(nearest) > 1.5 * reach ? nearest : 0;
-        p = axes.toLocal(u + moved * ray.direction), d = axes.toLocal(ray.direction);
-        far = 1.5 * reach + std::abs(moved);
+        d = axes.toLocal(ray.direction);
+        const double beside = std::min(std::max(dot(u, axes.y), 0.0), height);
+        const double nearest = beside * d.y - dot(u, ray.direction);
+        moved = std::abs(nearest) > 1.5 * radius ? nearest : 0;
+        p = axes.toLocal(u + moved * ray.direction);
+        far = 2.5 * reach + std::abs(moved);
     }
 };
 

@@ -36,7 +36,7 @@ inline Bounds bounds(const TruncatedCone& c) {
 
 /// The ends of the stretch inside the nappe, each kept if it lies between the two rims.
 inline Crossings quickCrossings(const TruncatedCone& c, const Ray& ray) {
-    const LocalLine line(ray, c.centre, c.axes, c.radius + c.height);
+    const LocalLine line(ray, c.centre, c.axes, c.radius, c.height);
     const Vec3 p = line.p, d = line.d;
     const Stretch inside = stretchInNappe(line, c.nappe);
     Crossings result;

@@ -98,13 +98,16 @@ struct LocalLines {
     double reach;
 
     template <class Axes>
-    HWY_INLINE LocalLines(V3 origin, V3 direction, Vec3 centre, const Axes& axes, double reach_)
-        : reach(reach_) {
+    HWY_INLINE LocalLines(V3 origin, V3 direction, Vec3 centre, const Axes& axes, double radius,
+                          double height)
+        : reach(radius + height) {
         const V3 u = origin - spread(centre);
-        const V nearest = hn::Neg(dot(u, direction));
-        moved = select(hn::Abs(nearest) > set(1.5 * reach), nearest, set(0));
-        p = toLocal(axes, u + direction * moved), d = toLocal(axes, direction);
-        far = set(1.5 * reach) + hn::Abs(moved);
+        d = toLocal(axes, direction);
+        const V beside = least(greatest(dot(u, spread(axes.y)), set(0)), set(height));
+        const V nearest = beside * d.y - dot(u, direction);
+        moved = select(hn::Abs(nearest) > set(1.5 * radius), nearest, set(0));
+        p = toLocal(axes, u + direction * moved);
+        far = set(2.5 * reach) + hn::Abs(moved);
     }
 };
 
@@ -201,7 +204,7 @@ HWY_INLINE StretchLanes stretchInNappe(const LocalLines& line, const Nappe& napp
 
 HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
     const V zero = set(0), one = set(1);
-    const LocalLines line(origin, direction, c.centre, c.axes, c.radius + c.height);
+    const LocalLines line(origin, direction, c.centre, c.axes, c.radius, c.height);
     const V3 p = line.p, d = line.d;
     const StretchLanes inside = stretchInNappe(line, c.nappe);
     V from = inside.from, to = inside.to;
@@ -224,7 +227,7 @@ HWY_INLINE CrossingLanes crossings(const Cone& c, V3 origin, V3 direction) {
 
 HWY_INLINE CrossingLanes crossings(const Frustum& f, V3 origin, V3 direction) {
     const V zero = set(0), one = set(1), two = set(2);
-    const LocalLines line(origin, direction, f.centre, f.axes, f.baseRadius + f.topRadius + f.height);
+    const LocalLines line(origin, direction, f.centre, f.axes, f.baseRadius + f.topRadius, f.height);
     const V3 p = line.p, d = line.d;
     const StretchLanes inside = stretchInNappe(line, f.nappe);
     V from = inside.from, to = inside.to;
@@ -251,7 +254,7 @@ HWY_INLINE CrossingLanes crossings(const Frustum& f, V3 origin, V3 direction) {
 
 HWY_INLINE CrossingLanes crossings(const TruncatedCone& c, V3 origin, V3 direction) {
     const V zero = set(0), height = set(c.height), infinity = set(Bounds::infinity);
-    const LocalLines line(origin, direction, c.centre, c.axes, c.radius + c.height);
+    const LocalLines line(origin, direction, c.centre, c.axes, c.radius, c.height);
     const V3 p = line.p, d = line.d;
     const StretchLanes inside = stretchInNappe(line, c.nappe);
     const V from = inside.from, to = inside.to;
