@@ -137,6 +137,16 @@ TEST_F(YarteCheckpoint, DamageIsToldAndMended) {
     EXPECT_THAT(refused.err, HasSubstr("c: no checkpoint, or its head is damaged"));
 }
 
+TEST_F(YarteCheckpoint, OfAWholeRenderProgressTellsTheEnd) {
+    picture(with({"--checkpoint", "c"}));
+    for (const char* processes : {"0", "2"}) {
+        const ProgramResult result =
+            yarte(with({"--checkpoint", "c", "--resume", "--progress", "json", "--processes", processes}));
+        EXPECT_EQ(result.exitCode, 0);
+        EXPECT_THAT(result.err, HasSubstr("{\"done\": 20, \"total\": 20, "));
+    }
+}
+
 TEST_F(YarteCheckpoint, ThePartialPictureCanBeSeen) {
     const std::string expected = picture(with({"--checkpoint", "c"}));
     const std::string journal = readFile(folder_ / "c");

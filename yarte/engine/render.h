@@ -39,7 +39,7 @@ struct RenderProgress {
 };
 
 /// Called in the caller's thread about ten times a second, or more often; returning false stops the render.
-/// May be empty.
+/// Called once more when all is done, where that makes no difference. May be empty.
 using ProgressFunction = std::function<bool(RenderProgress)>;
 
 struct Rendering {
