@@ -3,6 +3,7 @@
 #include "convert/gltf/accessor.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace yarte::convert::gltf {
 
@@ -24,6 +25,9 @@ Hierarchy::Hierarchy(const Document& document) : worlds_(document.nodes.size()) 
     }
 }
 
+/// All in one place: a file of some bytes must not ask for a gigabyte.
+constexpr std::size_t maxInstancesWithoutBytes = 1 << 16;
+
 std::optional<std::vector<Transform>> instancesOf(std::uint32_t id, const Hierarchy& hierarchy,
                                                   Content& content) {
     const Node& node = content.document().nodes[id];
@@ -32,7 +36,13 @@ std::optional<std::vector<Transform>> instancesOf(std::uint32_t id, const Hierar
     const auto& [translation, rotation, scale] = *node.instances;
     const auto first = translation ? translation : rotation ? rotation : scale;
     if (!first) return std::vector{world};
-    const std::size_t count = content.document().accessors[*first].count;
+    const Accessor& places = content.document().accessors[*first];
+    const std::size_t count = places.count;
+    if (!places.view && count > maxInstancesWithoutBytes) {
+        content.errors().report("gltf.too-large",
+                                fmt::format("{} instances, and no buffer says where", count), *places.json);
+        return std::nullopt;
+    }
     std::vector<Vec3> translations, scales; // empty: as if there were none
     std::vector<double> rotations;
     const auto take = [](auto&& read, auto& values) {

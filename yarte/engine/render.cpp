@@ -111,8 +111,8 @@ std::optional<Rendering> render(const RenderOptions& options, const TileFunction
     }
     journal.close();
     if (!finished) return std::nullopt;
-    // Whatever was counted: a worker that is killed right after a tile does not count it, and of a picture that
-    // was kept whole there was nothing to do.
+    // Whatever was counted: a worker that is killed right after a tile does not count it, and of a picture
+    // that was kept whole there was nothing to do.
     if (progress) progress({queue.tiles().size(), queue.tiles().size()});
     const TileCosts costs = queue.costs();
     return Rendering{std::move(framebuffer), costs, costs.times, workers, journal.damaged()};
