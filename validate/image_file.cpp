@@ -1,6 +1,7 @@
 #include "validate/image_file.h"
 
 #include "validate/exr_header.h"
+#include "validate/png_chunks.h"
 #include "validate/pnm.h"
 #include "yarte/base/file.h"
 #include "yarte/base/srgb.h"
@@ -37,15 +38,17 @@ void checkSize(const OIIO::ImageSpec& spec, std::size_t bytes) {
             fmt::format("{}x{} pixels are too many for a file of {} bytes", spec.width, spec.height, bytes));
 }
 
-/// The file with these bytes open, by the reader that its name's extension stands for and no other: OpenImageIO's own way is to
-/// let each of its thirty libraries have a try at a file that the first one refuses. Its size is checked.
+/// The file with these bytes open, by the reader that its name's extension stands for and no other:
+/// OpenImageIO's own way is to let each of its thirty libraries have a try at a file that the first one
+/// refuses. Its size is checked.
 std::unique_ptr<OIIO::ImageInput> openImage(const std::filesystem::path& file, std::string_view bytes,
                                             const OIIO::ImageSpec& settings = {}) {
     const std::string extension = file.extension().string();
     auto input = extension.empty() ? nullptr : OIIO::ImageInput::create(extension.substr(1));
     if (!input)
         throw ImageError(fmt::format("'{}' is not the extension of a format that can be read", extension));
-    if (!exrAttributesFit(bytes)) throw ImageError("its header says more than there is");
+    if (!exrAttributesFit(bytes) || !pngChunksFit(bytes))
+        throw ImageError("it says that it has more than there is");
     OIIO::ImageSpec spec;
     if (!input->open(file.string(), spec, settings)) throw ImageError(input->geterror());
     checkSize(spec, bytes.size());

@@ -1,5 +1,6 @@
 #include "validate/exr_header.h"
 #include "validate/image_file.h"
+#include "validate/png_chunks.h"
 
 #include "tests/validate/support.h"
 #include "yarte/base/srgb.h"
@@ -125,8 +126,23 @@ TEST(ImageFile, AnOpenExrFileHasTheAttributesOfItsHeader) {
         readPicture(file);
         ADD_FAILURE() << "was read";
     } catch (const ImageError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("its header says more than there is"));
+        EXPECT_THAT(error.what(), testing::HasSubstr("it says that it has more than there is"));
     }
+}
+
+TEST(ImageFile, APngFileHasItsChunks) {
+    using namespace std::string_literals;
+    const std::string png = "\x89PNG\r\n\x1a\n";
+    const auto chunk = [](char length, const std::string& type, const std::string& data) {
+        return "\0\0\0"s + length + type + data + "CRC.";
+    };
+    const std::string head = png + chunk(2, "IHDR", "ab"), end = chunk(0, "IEND", "");
+    EXPECT_TRUE(pngChunksFit(head + end));
+    EXPECT_TRUE(pngChunksFit(head + end + "more"));
+    EXPECT_FALSE(pngChunksFit(head + end.substr(0, 9)));
+    EXPECT_FALSE(pngChunksFit(head + chunk(3, "zTXt", "ab")));
+    EXPECT_FALSE(pngChunksFit(head + "\x7f\xff\xff\xffzTXt" + "abCRC." + end));
+    EXPECT_TRUE(pngChunksFit("not PNG at all"));
 }
 
 TEST(ImageFile, IsReadAsWhatItsNameSays) {
