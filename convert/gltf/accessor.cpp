@@ -59,18 +59,16 @@ void readAll(std::string_view bytes, std::size_t count, std::size_t stride, std:
 template <class Element, class Read>
 std::optional<std::vector<Element>> readElements(Content& content, AccessorId id, Read read) {
     const Accessor& accessor = content.document().accessors[id];
+    const auto bytes = accessor.view ? content.bytesOf(*accessor.view) : std::string_view();
+    // Nothing is reserved before the bytes are known to be there: the file may have claimed any number.
+    if (!bytes || !content.takeElements(accessor.count, *accessor.json)) return std::nullopt;
     std::vector<Element> elements;
     if (accessor.view) {
-        const auto bytes = content.bytesOf(*accessor.view);
-        if (!bytes) return std::nullopt;
-        // Now that they are known to be there: the file may have claimed any number.
-        if (!content.takeElements(accessor.count, *accessor.json)) return std::nullopt;
         reserveWhole(elements, accessor.count);
         const std::size_t stride = content.document().views[*accessor.view].stride;
         readAll(bytes->substr(accessor.offset), accessor.count, stride ? stride : accessor.elementSize,
                 elements, read);
     } else {
-        if (!content.takeElements(accessor.count, *accessor.json)) return std::nullopt;
         elements.resize(accessor.count);
     }
     if (!accessor.sparse) return elements;

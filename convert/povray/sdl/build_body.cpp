@@ -160,9 +160,10 @@ private:
             const auto index = isOwn ? static_cast<std::uint32_t>(t) : MeshShape::none;
             const std::size_t known = meshes_.size();
             const auto placed = meshes_.place(mesh, index, p.map, flat);
+            if (!placed) continue;
             const bool isNew = meshes_.size() > known;
             if (isNew && !takeFaces(meshes_[placed->mesh].faceCount(), p.object)) return;
-            if (placed && (!isNew || isGood(check(meshes_[placed->mesh]), p.object)))
+            if (!isNew || isGood(check(meshes_[placed->mesh]), p.object))
                 addBody(inUnits(*placed, model_.unit), {}, p, lookOf({p.object, p.map, style}), &style);
         }
         if (!mesh->faceNormals.empty() && similarityOf(p.map).error > rounding)

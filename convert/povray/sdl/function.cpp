@@ -22,10 +22,10 @@ Evaluate number(double v) {
 struct Compiler {
     Interpreter& in;
     const std::vector<std::string>& parameters;
-    std::string missing{}; ///< what cannot be computed, if anything
-    int size = 0;          ///< operands so far
-    Function
-        called{}; ///< its `depth` and `steps`: the deepest, and the sum, of the functions that are called
+    std::string missing{};         ///< what cannot be computed, if anything
+    int size = 0;                  ///< operands so far
+    int calledDepth = 0;           ///< of the deepest function that is called
+    std::uint64_t calledSteps = 0; ///< of all of them
 
     Evaluate logical() {
         const Interpreter::Nested nested(in);
@@ -101,8 +101,8 @@ struct Compiler {
 
     /// With what was compiled.
     void measure(Function& function) {
-        function.depth = size + called.depth;
-        function.steps = static_cast<std::uint64_t>(size) + called.steps;
+        function.depth = size + calledDepth;
+        function.steps = static_cast<std::uint64_t>(size) + calledSteps;
         const Limits& limits = in.environment().limits;
         if (function.depth > limits.functionSize || function.steps > limits.functionSteps) failTooLarge();
     }
@@ -194,8 +194,8 @@ struct Compiler {
             in.fail("sdl.arguments",
                     fmt::format("the function takes {} arguments", function->parameters.size()),
                     in.peek().span);
-        called.depth = std::max(called.depth, function->depth);
-        called.steps += function->steps;
+        calledDepth = std::max(calledDepth, function->depth);
+        calledSteps += function->steps;
         return [list = std::move(list), function](Arguments v) {
             std::vector<double> values;
             for (const Evaluate& e : list) values.push_back(e(v));

@@ -20,8 +20,8 @@ struct Function {
     std::vector<std::string> parameters{"x", "y", "z"};
     Evaluate evaluate;  ///< null: it needs patterns or POV-Ray's internal functions, see `kind`
     std::string kind{}; ///< "pattern", "internal", ...
-    int depth =
-        0; ///< operands, and those of the deepest function that it calls: bounds the stack that it takes
+    /// Operands, with those of the deepest function that it calls: bounds the stack that it takes.
+    int depth = 0;
     std::uint64_t steps = 0; ///< operands that a call evaluates, with all that it calls
 };
 

@@ -9,6 +9,11 @@
 #include <algorithm>
 
 namespace yarte::convert::povray::sdl {
+
+void failTooManyObjects(const Interpreter& in, Span where) {
+    in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects), where);
+}
+
 void putOn(Interpreter& in, std::optional<Layers>& layers, Layers more) {
     if (!layers) {
         layers = std::move(more);
@@ -110,8 +115,7 @@ void Parser::measure(Interpreter& in, Object& object) {
         if (object.depth > limits.nesting)
             in.fail("sdl.too-deep", fmt::format("more than {} levels of objects", limits.nesting),
                     object.span);
-        if (object.count > limits.objects)
-            in.fail("sdl.objects", fmt::format("more than {} objects", limits.objects), object.span);
+        if (object.count > limits.objects) failTooManyObjects(in, object.span);
     };
     if (const auto* all = std::get_if<UnionShape>(&object.shape))
         for (const ObjectPtr& part : all->parts) take(*part);
@@ -122,8 +126,7 @@ void Parser::measure(Interpreter& in, Object& object) {
 }
 
 void Parser::takeObjects(Interpreter& in, std::size_t count, Span where) {
-    const std::size_t most = in.environment().limits.objects;
-    if (count > most - objects_) in.fail("sdl.objects", fmt::format("more than {} objects", most), where);
+    if (count > in.environment().limits.objects - objects_) failTooManyObjects(in, where);
     objects_ += count;
 }
 

@@ -108,9 +108,7 @@ void Parser::defaults(Interpreter& in) {
 
 void Parser::addObject(Interpreter& in, ObjectPtr object) {
     shown_ += object->count;
-    if (shown_ > in.environment().limits.objects)
-        in.fail("sdl.objects", fmt::format("more than {} objects", in.environment().limits.objects),
-                object->span);
+    if (shown_ > in.environment().limits.objects) failTooManyObjects(in, object->span);
     // Axes as YARTE's file had them, kept beside the rotation that they stand for. What is seen decides.
     if (object->exactAxes) object = withWrittenAxes(in, *object);
     if (!std::holds_alternative<LightShape>(object->shape)) ++bodies_;

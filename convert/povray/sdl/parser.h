@@ -75,6 +75,8 @@ private:
         exactMeshes_; ///< by their array of vertices, which lives as long as its name
 };
 
+[[noreturn]] void failTooManyObjects(const Interpreter&, Span where);
+
 /// Layers put on `layers`: POV-Ray adds them on top.
 void putOn(Interpreter&, std::optional<Layers>& layers, Layers more);
 
