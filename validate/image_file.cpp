@@ -3,6 +3,7 @@
 #include "validate/exr_header.h"
 #include "validate/png_chunks.h"
 #include "validate/pnm.h"
+#include "yarte/base/deflate.h"
 #include "yarte/base/file.h"
 #include "yarte/base/srgb.h"
 
@@ -28,8 +29,8 @@ Colour decoded(Colour colour) {
 }
 
 /// A few bytes can claim any size. So many values any file may hold, and so many more for each of its bytes:
-/// one bit each in deflate, which makes at most 1032 bytes of one.
-constexpr double anyValues = 1 << 22, valuesPerByte = 8 * 1032;
+/// of one bit each in deflate.
+constexpr double anyValues = 1 << 22, valuesPerByte = 8 * mostFromDeflatedByte;
 
 void checkSize(const OIIO::ImageSpec& spec, std::size_t bytes) {
     const double values = static_cast<double>(spec.width) * spec.height * spec.depth * spec.nchannels;

@@ -1,5 +1,6 @@
 #include "convert/gltf/image.h"
 
+#include "yarte/base/deflate.h"
 #include "yarte/base/srgb.h"
 
 #include <fmt/format.h>
@@ -65,9 +66,8 @@ ImageAverage average(const Value* values, std::size_t pixels) {
     return {{linear[0], linear[1], linear[2]}, {raw[0], raw[1], raw[2]}, raw[3], {}};
 }
 
-/// A pixel of one bit in deflate, which makes at most 1032 bytes of one: no image has more, and none needs
-/// room for what it only says that it has.
-constexpr std::size_t pixelsPerByte = 8 * 1032;
+/// Pixels of one bit in deflate: no image has more, and none needs room for what it only says that it has.
+constexpr std::size_t pixelsPerByte = 8 * mostFromDeflatedByte;
 
 ImageAverage fail(std::string problem) { return {{1, 1, 1}, {1, 1, 1}, 1, std::move(problem)}; }
 
