@@ -8,12 +8,9 @@ from trial import Failure
 
 def end_after_kills(trial, kills):
     """Exit code 3 is for a tile whose worker died twice, or for workers that die before they take one: not after one kill."""
-    code, errors = trial.end()
-    trial.check_ended(code, errors, {0, 3} if kills > 1 else {0})
-    if code == 3:
-        if "died twice" not in errors and "keep dying" not in errors:
-            raise Failure(errors)
-        trial.again()
+    code, errors = trial.end_or_again({0, 3} if kills > 1 else {0})
+    if code == 3 and "died twice" not in errors and "keep dying" not in errors:
+        raise Failure(errors)
     return trial
 
 

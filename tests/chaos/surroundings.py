@@ -54,69 +54,57 @@ def small_disk(folder, size):
         subprocess.run(["umount", folder], check=True)
 
 
+def ended_on_small_disk(trial, size, *, check, checkpoint=False, output=False):
+    """The checkpoint, the output or both lie on a disk of so many bytes, which gets more room after check(code, errors)."""
+    small = trial.folder / "small"
+    with small_disk(small, size) as enlarge:
+        if not enlarge:
+            trial.outcome = "skipped: no file system may be mounted"
+            return trial
+        trial.given.add(small.name)
+        if checkpoint:
+            trial.journal = small / "journal"
+        if output:
+            move_output(trial, small)
+        trial.start()
+        trial.hit = True
+        code, errors = trial.end()
+        check(code, errors)
+        if output:
+            check_only(small, trial.output.name, *([trial.journal.name] if checkpoint else []))
+        if checkpoint or code != 0:
+            enlarge()
+            trial.again()
+    return trial
+
+
 def full_for_output(make):
     trial = make()
     needed = len(trial.expected)
     size = PAGE * trial.rng.randint(1, needed * 3 // 2 // PAGE + 2)
-    with small_disk(trial.folder / "small", size) as enlarge:
-        if not enlarge:
-            return without_mount(trial)
-        trial.given.add("small")
-        move_output(trial, trial.folder / "small")
-        trial.start()
-        trial.hit = True
-        code, errors = trial.end()
-        # The older picture needs a page.
-        trial.check_ended(code, errors, {3} if size < needed else {0} if size >= needed + 2 * PAGE else {0, 3})
-        check_only(trial.output.parent, trial.output.name)
-        if code != 0:
-            enlarge()
-            trial.again()
-    return trial
+    # The older picture needs a page.
+    allowed = {3} if size < needed else {0} if size >= needed + 2 * PAGE else {0, 3}
+    return ended_on_small_disk(trial, size, output=True, check=lambda code, errors: trial.check_ended(code, errors, allowed))
 
 
 def full_for_checkpoint(make):
     """It costs a warning, not the render. What was kept before is good."""
     trial = make(checkpoint=True)
     size = PAGE * trial.rng.randint(1, 120)
-    with small_disk(trial.folder / "small", size) as enlarge:
-        if not enlarge:
-            return without_mount(trial)
-        trial.given.add("small")
-        trial.journal = trial.folder / "small/journal"
-        trial.start()
-        trial.hit = True
-        code, errors = trial.end()
+
+    def check(code, errors):
         trial.check_ended(code, errors, {0})
         check_warning(errors, trial.journal_layout().whole > size)
-        enlarge()
-        trial.again()
-    return trial
+
+    return ended_on_small_disk(trial, size, checkpoint=True, check=check)
 
 
 def full_for_both(make):
     """Of the two, the checkpoint may take the output's place: then that is said, and with more room the render goes on."""
     trial = make(checkpoint=True)
     size = PAGE * trial.rng.randint(1, 120)
-    with small_disk(trial.folder / "small", size) as enlarge:
-        if not enlarge:
-            return without_mount(trial)
-        trial.given.add("small")
-        trial.journal = trial.folder / "small/journal"
-        move_output(trial, trial.folder / "small")
-        trial.start()
-        trial.hit = True
-        code, errors = trial.end()
-        trial.check_ended(code, errors, {0, 3})
-        check_only(trial.output.parent, trial.output.name, "journal")
-        enlarge()
-        trial.again()
-    return trial
-
-
-def without_mount(trial):
-    trial.outcome = "skipped: no file system may be mounted"
-    return trial
+    return ended_on_small_disk(trial, size, checkpoint=True, output=True,
+                               check=lambda code, errors: trial.check_ended(code, errors, {0, 3}))
 
 
 def move_output(trial, folder):
@@ -153,11 +141,8 @@ def little_memory(make):
     size = trial.rng.randint(4, 120) * MEBI
     trial.start(limit=lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size)))
     trial.hit = True
-    code, errors = trial.end()
     # With too little to be loaded the program does not come to say anything: the loader ends it, or the system does.
-    trial.check_ended(code, errors, {0, 3, 127, -signal.SIGSEGV} if size < 24 * MEBI else {0, 3})
-    if code != 0:
-        trial.again()
+    trial.end_or_again({0, 3, 127, -signal.SIGSEGV} if size < 24 * MEBI else {0, 3})
     return trial
 
 
@@ -169,10 +154,7 @@ def workers_without_memory(make):
     workers = trial.workers()
     workers = trial.rng.sample(workers, trial.rng.randint(min(1, len(workers)), len(workers)))
     limited = sum(trial.strike(worker, lambda pid: resource.prlimit(pid, resource.RLIMIT_AS, (MEBI, MEBI))) for worker in workers)
-    code, errors = trial.end()
-    trial.check_ended(code, errors, {0, 3} if limited > 1 else {0})
-    if code != 0:
-        trial.again()
+    trial.end_or_again({0, 3} if limited > 1 else {0})
     return trial
 
 
@@ -232,14 +214,13 @@ def clock_jumps(make, shim):
     errors = trial.again("--progress", "json", "--stats", statistics, environment=environment)
     seconds = time.monotonic() - start
     trial.hit = True
-    # Of a render that had been finished there may be nothing to tell.
     check_times([json.loads(line) for line in errors.splitlines() if line.startswith("{")], json.loads(statistics.read_text()), seconds)
     return trial
 
 
 def check_times(progress, statistics, seconds):
     elapsed = [line["elapsed_s"] for line in progress]
-    if elapsed != sorted(elapsed) or elapsed and (elapsed[0] < 0 or elapsed[-1] > seconds):
+    if not elapsed or elapsed != sorted(elapsed) or elapsed[0] < 0 or elapsed[-1] > seconds:
         raise Failure(f"the progress tells {elapsed} seconds, of {seconds:.3f}")
     if any(line["eta_s"] is not None and not 0 <= line["eta_s"] <= line["total"] * seconds for line in progress):
         raise Failure(f"the progress expects {[line['eta_s'] for line in progress]} seconds more")

@@ -149,6 +149,14 @@ class Trial:
             self.outcome = str(self.process.returncode)
         return self.process.returncode, errors
 
+    def end_or_again(self, allowed):
+        """Ends with one of these codes; if that is no success, a second run must give the picture. Returns as end()."""
+        code, errors = self.end()
+        self.check_ended(code, errors, allowed)
+        if code != 0:
+            self.again()
+        return code, errors
+
     def again(self, *more, environment=None):
         """The same render, gone on with where there is a checkpoint, by any number of workers: it must give the picture."""
         self.ran_again = True
