@@ -3,11 +3,11 @@
 
 #include "tests/support/program.h"
 
+#include "yarte/base/file.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -24,12 +24,6 @@ inline constexpr const char* sphereScene = "image_resolution 16 12\n"
                                            "material 0.2 0.2 0.2 0.5 0.5 0.5 0.5 0.5 0.5 20 0 0 0\n"
                                            "sphere 0 0 0 2\n";
 
-inline std::string read(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    EXPECT_TRUE(in) << file;
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 class Yarte : public testing::Test {
 protected:
     ProgramResult yarte(const std::vector<std::string>& arguments,
@@ -44,10 +38,8 @@ protected:
         EXPECT_EQ(result.out + result.err, "");
     }
 
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-    }
-    std::string bytes(const std::string& name) const { return read(folder_ / name); }
+    void write(const std::string& name, const std::string& text) const { writeFile(folder_ / name, text); }
+    std::string bytes(const std::string& name) const { return readFile(folder_ / name); }
 
     const fs::path folder_ = emptyTestFolder();
 };
